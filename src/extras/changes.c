@@ -1,14 +1,12 @@
 /* SPDX-License-Identifier: MIT */
-/* A flush that leaves out tiles which are, pixel for pixel, what was sent last; parts of tiles are sent. */
+/* This flush leaves out tiles that are, pixel for pixel, as they were sent last. Parts of tiles are always sent. */
 #include "../frame/frame.h"
 
-/*
- * Two independent sums of 32 bits, each step of which is one to one, so that tiles that differ in a single word never
- * agree. Multipliers of xxHash (Collet, 2012).
- */
+/* Computes two independent sums of 32 bits. Each step is one to one, so that tiles that differ in a single word never
+ * agree. The multipliers are those of xxHash (Collet, 2012). */
 static glint_tile_signature sign(const glint_word *words, size_t count) {
     uint32_t a = 0, b = 0, first = 0x9e3779b1u, second = 0x85ebca77u;
-    GLINT_OPAQUE(first); /* for ARMv6-M gcc would make shifts and sums of them, 15 instructions a product */
+    GLINT_OPAQUE(first); /* gcc would make shifts and sums of them for ARMv6-M, 15 instructions a product */
     GLINT_OPAQUE(second);
     for (const glint_word *end = words + count; words < end; words++) {
         a = (a ^ *words) * first;
@@ -16,10 +14,10 @@ static glint_tile_signature sign(const glint_word *words, size_t count) {
         b = (b + *words) * second;
         b ^= b >> 15;
     }
-    return (glint_tile_signature){a, b | 1}; /* never that of a tile not sent yet */
+    return (glint_tile_signature){a, b | 1}; /* no tile that has not been sent has this signature */
 }
 
-/* Is it all that the screen shows of a tile? */
+/* Is a rectangle all that the screen shows of a tile? */
 static int is_whole(const glint_change_filter *filter, int x, int y, int width, int height) {
     return x % filter->tile_width == 0 && y % filter->tile_height == 0 &&
            width == glint_least(filter->tile_width, filter->width - x) &&
@@ -46,7 +44,7 @@ static int begin_changes(void *context, int x, int y, int width, int height, con
         return 0;
     }
     filter->sending = last;
-    *last = (glint_tile_signature){0, 0}; /* until it is sent */
+    *last = (glint_tile_signature){0, 0}; /* this stays until the tile is sent */
     int failed = filter->flush.begin(filter->flush.context, x, y, width, height, pixels, stride);
     if (!failed && filter->flush.wait)
         filter->pending = now;

@@ -6,7 +6,7 @@
 
 /* ---- What is said ---- */
 
-/* One of what a scene consists of, as a sentence tells it. */
+/* A sentence is about the frame, an object or a light. */
 typedef struct subject {
     int32_t object, light;
 } subject;
@@ -86,7 +86,7 @@ static const char *name_of_camera(const glint_camera *camera) {
                  "glint_pose_identity or glint_camera_look_at";
 }
 
-/* The error of a scene by itself, without lights and objects but these. */
+/* Returns the error of a scene with one light or object, or with none. */
 static glint_status status_of(const glint_config *config, const glint_scene *scene, const glint_light *light,
                               const glint_object *object) {
     glint_scene part = *scene;
@@ -98,7 +98,7 @@ static glint_status status_of(const glint_config *config, const glint_scene *sce
     return glint_arena_need(config, &part, &need);
 }
 
-/* Finds the first part of a scene that an error comes from; parts with other errors beside it are passed over. */
+/* Finds the first part of a scene that causes an error. Parts with other errors are passed over. */
 static glint_status find_error(const glint_config *config, const glint_scene *scene, glint_status error,
                                glint_report *report) {
     if (scene->object_count && !scene->objects)
@@ -129,7 +129,8 @@ static glint_status find_error(const glint_config *config, const glint_scene *sc
 
 /* ---- What looks wrong ---- */
 
-/* Below this a number that is not 0 was hardly meant: it is no fraction that Q16.16 is good for, but an integer. */
+/* A number below this that is not 0 was hardly meant: it is too small for a fraction in Q16.16, and probably an
+ * integer. */
 #define HARDLY_MEANT 512
 
 static int is_hardly_meant(glint_q16 x) {
@@ -140,7 +141,7 @@ static int is_black(const glint_colour *colour) {
     return !(colour->r | colour->g | colour->b);
 }
 
-/* Is the brightest channel one that was hardly meant? */
+/* Is the brightest channel so small that it was hardly meant? */
 static int is_hardly_meant_colour(const glint_colour *colour) {
     return is_hardly_meant(glint_most_of(colour->r, colour->g, colour->b));
 }
@@ -163,14 +164,14 @@ static int is_pose_hardly_meant(const glint_pose *pose) {
     return is_place_hardly_meant(place) || !scale;
 }
 
-/* Is an object of a scene that can be drawn not drawn, as it is hidden or skipped? */
+/* Is an object left out of a scene that can be drawn, as it is hidden or skipped? */
 static int is_left_out(const glint_config *config, const glint_scene *scene, const glint_object *object) {
     glint_config strict = *config;
     strict.skips_degenerate = 0;
     return object->hidden || (config->skips_degenerate && status_of(&strict, scene, 0, object) != GLINT_OK);
 }
 
-/* Numbers that look like integers where Q16.16 is asked for. */
+/* Remarks on numbers that look like integers in place of Q16.16. */
 static void remark_numbers(const glint_config *config, const glint_scene *scene, glint_report *report) {
     const glint_pose *const eye = &scene->camera.pose;
     const glint_q16 place[3] = {eye->m[0][3], eye->m[1][3], eye->m[2][3]};
@@ -202,7 +203,7 @@ static void remark_numbers(const glint_config *config, const glint_scene *scene,
     }
 }
 
-/* Why no object shows. */
+/* Remarks on why no object is visible. */
 static void remark_nothing(const glint_config *config, const glint_scene *scene, const glint_stats *stats,
                            glint_report *report) {
     uint32_t hidden = 0;
@@ -227,7 +228,7 @@ static void remark_nothing(const glint_config *config, const glint_scene *scene,
     remark(report, the_frame, "all triangles lie outside of the screen, or between the centres of its pixels");
 }
 
-/* Why what shows is black. */
+/* Remarks on why visible objects are black. */
 static void remark_black(const glint_config *config, const glint_scene *scene, glint_report *report) {
     uint32_t bright = 0, reflects = 0;
     for (uint32_t i = 0; i < scene->light_count; i++)
@@ -249,15 +250,15 @@ static void remark_black(const glint_config *config, const glint_scene *scene, g
 
 /* ---- A frame that is not sent ---- */
 
-/* Most bytes of 8 pixels. */
+/* 8 pixels have at most so many bytes. */
 #define BYTES_OF_8 24
 
 typedef struct tally {
     uint32_t shown; /* pixels */
-    int is_lit;     /* is a pixel of the frame not black? */
+    int is_lit;     /* whether a pixel of the frame is not black */
     const glint_format *format;
-    uint32_t bytes_of_8;          /* pixels of a row, or of a page, */
-    uint8_t black[8][BYTES_OF_8]; /* of which 8 rows hold all that black is, dithered too */
+    uint32_t bytes_of_8;          /* bytes of 8 pixels of a row, or of a page */
+    uint8_t black[8][BYTES_OF_8]; /* black, also dithered, repeats after 8 rows */
 } tally;
 
 /* Finds the bytes of black, which output tables may make any colour. */

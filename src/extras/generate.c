@@ -3,17 +3,19 @@
 #include "../glint_extras.h"
 #include "../math/numeric.h"
 
-/* Q30 */
+/* This is 1 in Q30. */
 #define ONE (1 << 30)
 #define SIZE_MAX_Q16 (8192 * GLINT_ONE)
 
-/* A mesh being written; counts go on where the room ends. */
+/* A builder writes a mesh. It goes on counting where the room ends. */
 typedef struct builder {
     const glint_mesh_room *room;
     uint32_t vertices, triangles;
 } builder;
 
-/* A point of a profile: distance from the axis and height, in units of the mesh's extent, and the normal; Q30. */
+/*
+ * A point of a profile has a distance from the axis, a height, both in units of the mesh's extent, and a normal; Q30.
+ */
 typedef struct profile_point {
     int32_t radius, z, normal_radius, normal_z;
 } profile_point;
@@ -46,7 +48,7 @@ static void add_triangle(builder *b, uint32_t i, uint32_t j, uint32_t k) {
     b->triangles++;
 }
 
-/* Phase of step i of n around a turn. */
+/* Returns the phase of step i of n around the axis. */
 static uint32_t phase_of(uint32_t i, uint32_t n) {
     return (uint32_t)((((uint64_t)i << 32) + n / 2) / n);
 }
@@ -63,8 +65,8 @@ static void add_on_axis(builder *b, int32_t z, int32_t normal_z) {
     add_vertex(b, position, normal);
 }
 
-/* Sets up the mesh, or only its counts where the room is too small. Extents: what 32768 steps are where 32767 are the
- * size. */
+/* Sets the mesh up, or only its counts where the room is too small. Extents are those of 32768 steps, where sizes are
+ * those of 32767. */
 static glint_status finish(const builder *b, glint_mesh *mesh, glint_q16 x, glint_q16 y, glint_q16 z) {
     const glint_mesh_room *room = b->room;
     const int64_t size[3] = {x, y, z};
@@ -146,7 +148,7 @@ glint_status glint_generate_sphere(glint_mesh *mesh, const glint_mesh_room *room
     return finish(&b, mesh, radius, radius, radius);
 }
 
-/* A disc at height z (1 or -1), facing away from the middle. */
+/* Adds a disc at height z (1 or -1), facing away from the middle. */
 static void add_cap(builder *b, uint32_t around, int32_t z) {
     const uint32_t first = b->vertices, centre = first + around;
     for (uint32_t i = 0; i < around; i++) {
@@ -161,7 +163,7 @@ static void add_cap(builder *b, uint32_t around, int32_t z) {
     add_on_axis(b, z, z);
 }
 
-/* A side from radius 1 at z = -1 to radius `top` at z = 1, of normals (normal_radius, normal_z). */
+/* Adds a side from radius 1 at z = -1 to radius `top` at z = 1, with normals (normal_radius, normal_z). */
 static void add_quad(builder *b, uint32_t around, uint32_t along, int32_t top, int32_t normal_radius,
                      int32_t normal_z) {
     for (uint32_t i = 0; i < around; i++) {

@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: MIT */
-/* Lines: from space to the screen, cut at the near plane and the guard band; onto a finished tile; and lines of boxes
- * and meshes. */
+/* Brings lines from space to the screen, where they are cut at the near plane and the guard band, and draws them onto
+ * finished tiles. Makes the lines of boxes and meshes. */
 #include "../frame/frame.h"
 #include "../pixel/format.h"
 
 /* ---- From space to the screen ---- */
 
-/* What lines are placed with. */
+/* Lines are placed with these. */
 typedef struct line_camera {
     const glint_config *config;
     const glint_camera *camera;
@@ -15,7 +15,7 @@ typedef struct line_camera {
     unsigned focal_shift;
 } line_camera;
 
-/* An end on its way: x and y against the guard band, all below 2^59, and w, Q28. */
+/* An end on its way has x and y against the guard band, all below 2^59, and w, Q28. */
 typedef struct line_end {
     int64_t x, y, band, w;
 } line_end;
@@ -26,20 +26,20 @@ static void find_end(const line_camera *by, glint_vector point, line_end *to) {
     to->x = glint_round_shift64(glint_shift_right64(sight[0], 12) * by->focal, 10);
     to->y = glint_round_shift64(glint_shift_right64(sight[1], 12) * by->focal, 10);
     to->w = glint_shift_right64(sight[2], 3);
-    /* the focal length is over 2^13, and the products are over 2^10 and 2^focal_shift */
+    /* The focal length is over 2^13, and the products are over 2^10 and 2^focal_shift. */
     const int64_t divisor = glint_find_divisor(by->config, by->camera, sight);
     const unsigned down = glint_magnitude64(divisor) >> 48 ? 12 : 0;
     to->band =
         glint_shift_right64(glint_shift_right64(divisor, down) * (GLINT_GUARD_BAND << 3), 12 - down + by->focal_shift);
 }
 
-/* How far inside a plane an end lies: 0 the near plane, 1 to 4 the sides. */
+/* Returns how far inside a plane an end lies. Plane 0 is the near plane, 1 to 4 are the sides. */
 static int64_t depth_behind(const line_end *end, int plane, int64_t near_plane) {
     const int64_t side = plane < 3 ? end->x : end->y;
     return plane == 0 ? end->w - near_plane : end->band + (plane & 1 ? side : -side);
 }
 
-/* a + (b - a) t, t Q31; off by 2^-30 of the difference. */
+/* Computes a + (b - a) t, t Q31, off by 2^-30 of the difference. */
 static int64_t mix_along(int64_t a, int64_t b, int64_t t) {
     const unsigned bits = glint_bits64(glint_magnitude64(b - a)), down = bits > 31 ? bits - 31 : 0;
     return a + glint_shift_right64(glint_shift_right64(b - a, down) * t, 31 - down);
@@ -55,7 +55,7 @@ static void cut_line(const line_end *inner, line_end *outer, int64_t inside, int
     outer->w = mix_along(inner->w, outer->w, t);
 }
 
-/* @return 0 where nothing is left */
+/* Clips a line. @return 0 where nothing is left */
 static int clip_line(line_end end[2], int64_t near_plane) {
     for (int plane = 0; plane < 5; plane++) {
         const int64_t a = depth_behind(&end[0], plane, near_plane), b = depth_behind(&end[1], plane, near_plane);
@@ -69,8 +69,8 @@ static int clip_line(line_end end[2], int64_t near_plane) {
     return 1;
 }
 
-/* half the size, in sixteenths, + x / band times the guard band, rounded to nearest, halves up; rounding may have
- * brought x beyond. */
+/* Computes half the size in sixteenths + x / band times the guard band, rounded to nearest, halves up. Rounding may
+ * have brought x beyond the band. */
 static int16_t to_sixteenths(int64_t x, int64_t band, int32_t size) {
     const unsigned bits = glint_bits64((uint64_t)band), down = bits > 46 ? bits - 46 : 0;
     const int64_t most = (band >> down) + (band == 0), all = 2 * 16 * GLINT_GUARD_BAND;
@@ -133,7 +133,7 @@ void glint_lines_box(glint_line lines[12], glint_vector from, glint_vector to, g
     }
 }
 
-/* offset + extent step / 32768 */
+/* Computes offset + extent step / 32768. */
 static glint_q16 place_step(glint_q16 offset, glint_q16 extent, int16_t step) {
     const int64_t place = offset + glint_round_shift64((int64_t)extent * step, 15);
     return place > INT32_MAX ? INT32_MAX : place < INT32_MIN ? INT32_MIN : (glint_q16)place;
@@ -178,24 +178,26 @@ uint32_t glint_lines_edges(glint_line *lines, uint32_t room, const glint_mesh *m
 
 /* ---- Onto a tile: one pixel in each column, or in each row, where nothing nearer is ---- */
 
-/* 1/w of a line's end over that of the frame's nearest, Q31: what is nearer by more than 2^14 counts as that. */
+/* 1/w of a line's end over that of the frame's nearest, Q31, is at most this: what is nearer by more than 2^14 counts
+ * as that. */
 #define LARGEST_DEPTH ((int64_t)1 << 45)
 
-/* What a tile's lines are drawn with: the frame's nearest w as mantissa 2^shift, nearer by the width of two pixels. */
+/* A tile's lines are drawn with these: the frame's nearest w is a mantissa times 2^shift, nearer by the width of two
+ * pixels. */
 typedef struct line_target {
     const glint_tile *tile;
     uint32_t nearest; /* 31 bits */
     int32_t nearest_shift;
 } line_target;
 
-/* A line over its longer axis u: v is the other one. */
+/* A line is walked along its longer axis u; v is the other axis. */
 typedef struct line_walk {
     int32_t u0, v0, du, dv; /* 28.4; du is not below 0 */
     int64_t depth, slope;   /* Q31 at u0; change over a sixteenth, Q47 */
     int is_steep;
 } line_walk;
 
-/* Of parallel rays ends keep w in place of 1/w. */
+/* Returns the depth of an end of parallel rays, which keeps w in place of 1/w. */
 static int64_t depth_of_parallel(const glint_frame *frame, const glint_segment *segment, int i) {
     const int up = segment->exponent[i] - 62;
     const int64_t kept = segment->inverse_w[i], w = up > 0 ? kept << up : kept >> -up;
@@ -225,7 +227,7 @@ static void begin_line(const line_target *target, const glint_segment *segment, 
     walk->slope = walk->du ? (depth_of_end(target, segment, last) - walk->depth) * (1 << 16) / walk->du : 0;
 }
 
-/* Draws a pixel of the tile, counted from its first one on the screen, if it is nearer than what is there. */
+/* Draws a pixel of the tile, counted from its first one on the screen, if it is nearer than the depth there. */
 static void draw_pixel(const line_target *target, int32_t x, int32_t y, int64_t depth, const int32_t colour[1][3]) {
     const glint_frame *const frame = target->tile->frame;
     const glint_workspace *const workspace = target->tile->workspace;
@@ -241,7 +243,7 @@ static void draw_pixel(const line_target *target, int32_t x, int32_t y, int64_t 
     frame->config.format->store_list(workspace->pixels, frame->tile_shift_x, &pixel, sizeof pixel, 1);
 }
 
-/* Draws columns, or rows, from `first` to before `end`: pixels whose other number is from `least` to before `most`. */
+/* Draws columns, or rows, of a range: one pixel in each, where the other coordinate is in the range. */
 static void walk_along(const line_target *target, const line_walk *walk, const glint_range *range,
                        const int32_t colour[1][3]) {
     const int32_t width = glint_most(walk->du, 1), whole = 16 * width;
@@ -259,7 +261,7 @@ static void walk_along(const line_target *target, const line_walk *walk, const g
     }
 }
 
-/* Of a tile from `first` on, `size` wide, what lies between two places in sixteenths. */
+/* Cuts the range between two places, in sixteenths, to a tile from `first` on, `size` wide. */
 static void cut_range(int32_t first, int32_t size, int32_t a, int32_t b, int32_t *from, int32_t *to) {
     *from = glint_most(first, glint_shift_right(glint_least(a, b), 4));
     *to = glint_least(first + size, glint_shift_right(glint_most(a, b), 4) + 1);
@@ -288,7 +290,7 @@ glint_status glint_lines_draw(const glint_tile *tile, const glint_segment *segme
     if (!tile || !tile->frame || !tile->workspace || (count && !segments))
         return GLINT_ERROR_NULL;
     const glint_view *const view = tile->frame->view;
-    /* below 2^55; of parallel rays, whose w may have 54 bits, none is asked for */
+    /* This is below 2^55. Parallel rays, whose w may have 54 bits, do not need it. */
     const int64_t nearest = view->is_parallel ? 1 : view->nearest + view->nearest * (1 << 14) / view->focal;
     const int32_t shift = (int32_t)glint_bits64((uint64_t)nearest) - 31;
     const uint32_t mantissa = (uint32_t)(shift > 0 ? nearest >> shift : nearest << -shift);

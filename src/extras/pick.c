@@ -1,10 +1,11 @@
 /* SPDX-License-Identifier: MIT */
-/* Finds which triangle a pixel shows: draws that pixel with a kernel that keeps what passes the depth test last. */
+/* Finds the triangle that a pixel shows. It draws that pixel with a kernel that keeps the triangle that passes the
+ * depth test last. */
 #include "../frame/frame.h"
 #include "../raster/depth.h"
 #include "../raster/triangle.h"
 
-/* A workspace, and what has been found so far. */
+/* A picker has a workspace, and the result so far. */
 typedef struct picker {
     glint_workspace workspace;
     uint32_t column, row; /* of the pixel in its tile */
@@ -35,7 +36,7 @@ static void pick_triangle(glint_row_walk *walk) {
     glint_walk_triangle(walk);
 }
 
-/* Draws a pass by that function. */
+/* Draws a pass by this function. */
 static void pick_pass(glint_frame *frame, picker *p) {
     for (glint_draw *draw = frame->draws; draw; draw = draw->next)
         draw->draw_triangle = pick_triangle;
@@ -43,7 +44,7 @@ static void pick_pass(glint_frame *frame, picker *p) {
     glint_render_tile(frame, &p->workspace, frame->tile_first);
 }
 
-/* The square of 8 pixels with the pixel, which no tile divides, nor a byte of any format. */
+/* Returns the square of 8 pixels around the pixel, which no tile divides, nor a byte of any format. */
 static glint_rectangle square_around(const glint_config *config, int x, int y) {
     const int left = x & ~7, top = y & ~7;
     return (glint_rectangle){(int16_t)left, (int16_t)top, (int16_t)glint_least(8, config->width - left),

@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: MIT */
-/* Bin: culls triangles, clips those that need it, and lists the rest with the tiles that they may touch. */
+/* Culls triangles, clips those that need it, and lists the rest with the tiles that they may touch. */
 #include "frame.h"
 
 /* ---- Tiles and lists ---- */
 
 /*
- * Tiles between corners in one direction, of pixels from `from` to before `to`: from the first pixel centre at or after
- * the least coordinate to the last before the greatest, counted from tile `origin` on; *end is exclusive.
+ * Finds the tiles between corners in one direction, of pixels from `from` to before `to`: from the first pixel centre
+ * at or after the least coordinate to the last before the greatest, counted from tile `origin` on. *end is exclusive.
  * @return 0 when there is no centre between
  */
 static inline int find_span(int32_t a, int32_t b, int32_t c, int32_t from, int32_t to, unsigned shift, int32_t origin,
@@ -31,28 +31,28 @@ int glint_find_tiles(const glint_frame *frame, const glint_vertex *const v[3], g
     return find_tiles(frame, v, range);
 }
 
-/* Returns what the reference count may come to. */
+/* Returns the largest reference count that the arena has room for. */
 static inline uint32_t most_references(const glint_frame *frame) {
     const size_t most =
         (size_t)((const uint8_t *)frame->clipped - (const uint8_t *)frame->references) / sizeof(glint_reference);
     return most < GLINT_LIST_END ? (uint32_t)most : GLINT_LIST_END;
 }
 
-/* A triangle's reference at the end of a list, as one word. */
+/* Returns a triangle's reference at the end of a list, as one word. */
 static inline uint32_t reference_to(uint32_t triangle) {
     return triangle << 16 | GLINT_LIST_END;
 }
 
 /* Puts a triangle's reference, number `here`, behind a tile's list. */
 static inline void append(glint_reference *references, uint32_t here, uint32_t tile, uint32_t reference) {
-    GLINT_OPAQUE(reference); /* else its halves are stored one by one */
+    GLINT_OPAQUE(reference); /* otherwise its halves are stored one by one */
     references[here].next = (uint16_t)reference;
     references[here].triangle = (uint16_t)(reference >> 16);
     references[references[tile].triangle].next = (uint16_t)here;
     references[tile].triangle = (uint16_t)here;
 }
 
-/* Lists a triangle with each tile of the pass in a range, which is not empty. @return 0 when the arena is full. */
+/* Lists a triangle with each tile of the pass in a range, which is not empty. @return 0 when the arena is full */
 static inline int list_in_range(glint_frame *frame, const glint_range *range, uint32_t reference) {
     glint_reference *const references = frame->references;
     const uint32_t count = glint_pass_tiles(frame), most = most_references(frame), columns = frame->tile_columns;
@@ -91,7 +91,7 @@ static int has_room_for_clipped(const glint_frame *frame) {
            clipped <= (GLINT_CLIPPED_TOP - GLINT_TRIANGLES_MAX - most_made) * sizeof(glint_clipped);
 }
 
-/* Corners of a triangle of a draw, as clipping takes them. */
+/* Gathers the corners of a triangle of a draw for clipping. */
 static void gather_corners(const glint_draw *draw, const uint16_t *indices, glint_corner corners[3]) {
     for (int i = 0; i < 3; i++) {
         corners[i].position = draw->positions[indices[i]];
@@ -146,14 +146,14 @@ static GLINT_NOINLINE int list_clipped(glint_frame *frame, glint_draw *draw, uin
 
 /* ---- Whole triangles ---- */
 
-/* Lights a triangle that is going to be seen, as far as that comes before it is drawn, unless its corners are lit. */
+/* Lights a triangle that is going to be drawn, as far as that comes before it is drawn, unless its corners are lit. */
 static inline void light_listed(const glint_frame *frame, glint_draw *draw, const glint_vertex *const v[3],
                                 uint32_t triangle) {
     if (draw->light && !(v[0]->flags & v[1]->flags & v[2]->flags & GLINT_VERTEX_NORMAL))
         draw->light(frame, draw, &draw->transform, triangle);
 }
 
-/* Lists a triangle that is seen, in any tiles. @return 0 when the arena is full. */
+/* Lists a visible triangle in any tiles. @return 0 when the arena is full */
 static GLINT_NOINLINE int list_anywhere(glint_frame *frame, glint_draw *draw, uint32_t triangle) {
     const uint16_t *indices = draw->triangles[triangle];
     const glint_vertex *const v[3] = {&draw->vertices[indices[0]], &draw->vertices[indices[1]],
@@ -170,13 +170,13 @@ static GLINT_NOINLINE int list_anywhere(glint_frame *frame, glint_draw *draw, ui
 static void begin_bin(glint_bin_pass *pass, glint_frame *frame) {
     const uint32_t shift_x = frame->tile_shift_x + 4u, shift_y = frame->tile_shift_y + 4u;
     pass->frame = frame;
-    if (GLINT_SMALL) /* then all triangles are listed the long way */
+    if (GLINT_SMALL) /* all triangles are listed the long way here */
         return;
     pass->shift_x = shift_x;
     pass->shift_y = shift_y + 16;
     pass->above = (0xffffu << shift_x & 0xffffu) | 0xffff0000u << shift_y;
     if (frame->config.region.x | frame->config.region.y)
-        pass->above = 0xffffffff; /* then all are as well */
+        pass->above = 0xffffffff; /* a region is listed the long way */
     pass->last = (16u * frame->right - 1) | (16u * frame->bottom - 1) << 16;
     pass->columns = frame->tile_columns;
     pass->first = frame->tile_first;
@@ -184,14 +184,12 @@ static void begin_bin(glint_bin_pass *pass, glint_frame *frame) {
     pass->most = most_references(frame);
 }
 
-/*
- * Lists a triangle that is seen, of which the first corner's place is given, and the bits that differ between the
- * places of all. Most lie in one tile: then they agree in all bits above it. @return 0 when the arena is full.
- */
+/* Lists a visible triangle, given the first corner's place and the bits that differ between the places of all. Most
+ * triangles lie in one tile: then these agree in all bits above it. @return 0 when the arena is full */
 static GLINT_INLINE int list_seen(const glint_bin_pass *pass, glint_draw *draw, const glint_vertex *const v[3],
                                   uint32_t left, uint32_t place, uint32_t differ) {
     glint_frame *const frame = pass->frame;
-    /* Off the screen, a half or its difference from the last one is below 0. */
+    /* Off the screen, a half is below 0, or its difference from the last place is. */
     if (GLINT_SMALL || (differ & pass->above) | ((place | (pass->last - place)) & 0x80008000))
         return list_anywhere(frame, draw, pass->end - left);
     const uint32_t tile = (place >> pass->shift_y) * pass->columns + ((place & 0xffff) >> pass->shift_x) - pass->first;
@@ -208,22 +206,22 @@ static GLINT_INLINE int list_seen(const glint_bin_pass *pass, glint_draw *draw, 
 
 /* ---- Draws ---- */
 
-/* x and y of a vertex as two halves of a word. */
+/* Returns x and y of a vertex as two halves of a word. */
 static inline uint32_t word_of(const glint_vertex *v) {
     return (uint32_t)(uint16_t)v->x | (uint32_t)(uint16_t)v->y << 16;
 }
 
-/* Twice the area of corners' words, as glint_double_area gives. The guard band keeps differences in 16 bits. */
+/* Returns twice the area of corners' words, as glint_double_area does. The guard band keeps differences in 16 bits. */
 static inline int32_t area_of_words(uint32_t a, uint32_t b, uint32_t c) {
     uint32_t x1 = b - a, x2 = c - a;
     const int32_t y = glint_shift_right((int32_t)a, 16);
-    GLINT_OPAQUE(x1); /* else both halves are taken out first */
+    GLINT_OPAQUE(x1); /* otherwise both halves are taken out first */
     GLINT_OPAQUE(x2);
     return (int16_t)x1 * (glint_shift_right((int32_t)c, 16) - y) -
            (int16_t)x2 * (glint_shift_right((int32_t)b, 16) - y);
 }
 
-/* From a word to a place. A carry from x to y comes from x < 0, which is on no tile. */
+/* This takes a word to a place. A carry from x to y comes from x < 0, which is on no tile. */
 #define TO_PLACE 0x00070007u
 
 int glint_bin_some(glint_bin_pass *pass, glint_draw *draw, uint32_t next, uint32_t end) {
@@ -255,7 +253,7 @@ int glint_bin_some(glint_bin_pass *pass, glint_draw *draw, uint32_t next, uint32
             continue;
         }
         const uint32_t place = w[0] + TO_PLACE, differ = (place ^ (w[1] + TO_PLACE)) | (place ^ (w[2] + TO_PLACE));
-        if (!GLINT_SMALL && (!(differ & 0xfff0) || !(differ >> 20))) /* no pixel centre between */
+        if (!GLINT_SMALL && (!(differ & 0xfff0) || !(differ >> 20))) /* no pixel centre lies between */
             pass->frame->stats.outside++;
         else if (!list_seen(pass, draw, v, left, place, differ))
             break;
@@ -264,7 +262,7 @@ int glint_bin_some(glint_bin_pass *pass, glint_draw *draw, uint32_t next, uint32
     return (int)(end - left);
 }
 
-/* Bins the triangles of a draw from frame->triangle on. @return 1, 0 when the arena is full, or an error. */
+/* Bins the triangles of a draw from frame->triangle on. @return 1, 0 when the arena is full, or an error */
 static int bin_draw(glint_bin_pass *pass, glint_draw *draw) {
     glint_frame *const frame = pass->frame;
     const uint32_t from = draw->origin ? 0 : frame->triangle; /* parts begin where a pass does */
@@ -277,7 +275,7 @@ static int bin_draw(glint_bin_pass *pass, glint_draw *draw) {
     return end == draw->count;
 }
 
-/* @return 0 when the arena cannot hold the lists. */
+/* Begins the lists of a pass. @return 0 when the arena cannot hold them */
 static int begin_lists(glint_frame *frame) {
     const uint32_t tiles = glint_pass_tiles(frame);
     frame->memory.low = frame->vertices_end;

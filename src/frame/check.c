@@ -6,7 +6,7 @@
 
 /* ---- Configurations ---- */
 
-/* Puts the default in place of 0. @return is it a tile's width or height? */
+/* Puts the default in place of 0. @return whether it is a valid tile width or height */
 static GLINT_NOINLINE int complete_tile_size(uint16_t *size) {
     if (!*size)
         *size = GLINT_TILE_DEFAULT;
@@ -40,13 +40,13 @@ glint_status glint_check_region(glint_config *config) {
 
 /* ---- Scenes ---- */
 
-/* Below 0 is far above the largest when unsigned. */
+/* A channel below 0 is far above the largest when unsigned. */
 static int colour_is_valid(const glint_colour *colour) {
     const uint32_t most = GLINT_COLOUR_MAX;
     return (uint32_t)colour->r <= most && (uint32_t)colour->g <= most && (uint32_t)colour->b <= most;
 }
 
-/* Attributes in place of arrays. What checks them is linked with any type. */
+/* Checks attributes in place of arrays. The function that does it is linked with any type. */
 static glint_status check_layout(const glint_mesh *mesh) {
     const glint_mesh_layout *layout = mesh->layout;
     const glint_attribute_type *const type = layout->positions.type   ? layout->positions.type
@@ -58,7 +58,7 @@ static glint_status check_layout(const glint_mesh *mesh) {
     return mesh->positions && mesh->normals && mesh->triangles ? GLINT_OK : GLINT_ERROR_NULL;
 }
 
-/* Out of line, which is less code than branches across the loop over objects. */
+/* This is out of line, which is less code than branches across the loop over objects. */
 static GLINT_NOINLINE glint_status check_mesh(const glint_mesh *mesh, const glint_config *config) {
     if (!mesh)
         return GLINT_ERROR_NULL;
@@ -91,7 +91,7 @@ static glint_status check_material(const glint_material *material) {
     return material->shininess < 0 ? GLINT_ERROR_SHININESS : GLINT_OK;
 }
 
-/* Checks that an object names where it is lit; an object of one colour need not. */
+/* Checks that an object names where it is lit. An object of one colour need not. */
 static glint_status check_evaluation(const glint_object *object) {
     const int needs = object->material->model->is_lit || glint_has_colours(object->mesh);
     return needs && !object->evaluation ? GLINT_ERROR_NULL : GLINT_OK;

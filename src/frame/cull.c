@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: MIT */
-/* Cull: clusters of triangles that face away as a whole, and the vertices that nothing else looks at. */
+/* Drops clusters of triangles that face away as a whole, and the vertices that only they use. */
 
 #include "frame.h"
 
-/* Compilers call it even in freestanding code; here the library does. */
+/* Compilers call this even in freestanding code; here the library does. */
 void *memset(void *bytes, int value, size_t size);
 
-/* More than an eye's rounding makes in the test of a cluster. */
+/* The rounding of an eye is less than this in the test of a cluster. */
 #define ROUNDING (1 << 16)
 
 static glint_status check(const glint_mesh *mesh) {
@@ -23,14 +23,14 @@ static glint_status check(const glint_mesh *mesh) {
     return triangles == mesh->triangle_count && vertices == mesh->vertex_count ? GLINT_OK : GLINT_ERROR_MESH;
 }
 
-/* Where an object is seen from; one that is seen from both sides, from nowhere: then no triangle faces away. */
+/* Finds the eye of an object. A double-sided object is seen from nowhere: then no triangle faces away. */
 static void find_eye(const glint_transform *transform, const glint_mesh *mesh, glint_eye *eye) {
     glint_transform_eye(transform, eye);
     if (mesh->flags & GLINT_MESH_DOUBLE_SIDED)
         *eye = (glint_eye){0};
 }
 
-/* Tells for each of some clusters whether all its triangles face away, 1 or 0. */
+/* Finds for each of some clusters whether all its triangles face away, 1 or 0. */
 static void face(const glint_eye *eye, const glint_cluster *c, uint32_t count, uint8_t *away) {
     const glint_eye from = *eye;
     for (const glint_cluster *const end = c + count; c < end; c++) {
@@ -42,7 +42,7 @@ static void face(const glint_eye *eye, const glint_cluster *c, uint32_t count, u
 
 /* ---- Draws of all that is left of a mesh ---- */
 
-/* Do a cluster and its borrowers, those from `first` on, all face away? Not where there is no such borrower. */
+/* Do a cluster and its borrowers, those from `first` on, all face away? They do not where a borrower is not valid. */
 static int are_all_away(const glint_clusters *clusters, const uint8_t *away, uint32_t cluster, uint32_t first) {
     const uint32_t end = first + clusters->list[cluster].borrowers;
     if (!away[cluster])
@@ -53,8 +53,7 @@ static int are_all_away(const glint_clusters *clusters, const uint8_t *away, uin
     return 1;
 }
 
-/* Vertices from one to before another; those that nothing looks at are 0: a mesh that errs may name them all the same.
- */
+/* Loads vertices from one to before another. Unused ones are 0, as a mesh that errs may name them all the same. */
 static void load_some(glint_frame *frame, glint_draw *draw, const glint_mesh *mesh, uint32_t from, uint32_t to,
                       int away) {
     if (away)
@@ -63,7 +62,7 @@ static void load_some(glint_frame *frame, glint_draw *draw, const glint_mesh *me
         glint_load_vertices(frame, draw, mesh, from, from, to - from);
 }
 
-/* The vertices that clusters look at, but for those that face away. */
+/* Loads the vertices that clusters use, except those that face away. */
 static void load_clusters(glint_frame *frame, glint_draw *draw, const glint_mesh *mesh) {
     const glint_clusters *clusters = mesh->clusters;
     uint32_t borrowers = 0, from = 0, to = 0;

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Takes a scene to passes, each of which holds some tiles' triangles, or some triangles of one tile. */
+/* Divides a scene into passes, each of which holds some tiles' triangles, or some triangles of one tile. */
 #include "frame.h"
 
 #include "../light/corners.h"
@@ -10,7 +10,7 @@ static unsigned tile_shift(uint16_t size) {
     return 31u - glint_leading_zeros(size);
 }
 
-/* One shading for each distinct material, the one of the last frame where that left one here. */
+/* Prepares one shading for each distinct material, that of the last frame where it is still there. */
 static glint_status prepare_materials(glint_frame *frame, const glint_kept *kept) {
     for (uint32_t i = 0; i < frame->scene->object_count; i++) {
         if (!glint_is_first_of_material(frame->scene, i))
@@ -34,7 +34,7 @@ static int has_least_room(const glint_frame *frame) {
     return frame->memory.high - frame->memory.low >= frame->least_room;
 }
 
-/* Transforms that may wait in the arena, all of them beyond its first bytes of that number; one always does. */
+/* Returns how many transforms may wait in the arena, all of them beyond its first `end` bytes. One always may. */
 static uint32_t count_waiting(const glint_frame *frame, size_t end) {
     const size_t room = end < frame->memory.high ? frame->memory.high - end : 0;
     const size_t most = room / sizeof(glint_transform);
@@ -88,7 +88,7 @@ static glint_status prepare_scene(glint_frame *frame, const glint_kept *kept) {
     return has_least_room(frame) ? GLINT_OK : GLINT_ERROR_ARENA;
 }
 
-/* Tiles from the one with the first of some pixels to the one with the last. */
+/* Counts the tiles from the one with the first of some pixels to the one with the last. */
 static uint16_t count_tiles_along(int32_t first, int32_t pixels, unsigned shift) {
     return (uint16_t)(((first + pixels - 1) >> shift) - (first >> shift) + 1);
 }
@@ -143,7 +143,7 @@ glint_status glint_frame_begin(glint_frame *frame, const glint_config *config, c
         return GLINT_ERROR_NULL;
     const glint_status status = begin_frame(frame, config, scene);
     if (status != GLINT_OK)
-        *frame = (glint_frame){0}; /* what failed is not to be drawn, nor kept */
+        *frame = (glint_frame){0}; /* a failed frame must not be drawn, nor kept */
     return status;
 }
 
@@ -156,7 +156,7 @@ static void count_arena(glint_frame *frame) {
         frame->stats.arena_used = (uint32_t)used;
 }
 
-/* Goes on where the last pass stopped. @return 0 when the frame is done. */
+/* Goes on where the last pass stopped. @return 0 when the frame is done */
 static int advance(glint_frame *frame) {
     if (frame->stats.passes == 0)
         return 1;
@@ -168,8 +168,8 @@ static int advance(glint_frame *frame) {
     return frame->tile_first < frame->tile_count;
 }
 
-/* How many tiles a pass may have when there was no room for so many: where all is loaded, half of the frame's, then a
- * quarter, of fixed tiles. */
+/* Returns how many tiles a pass may have when there was no room for so many. Where all is loaded, these are half of
+ * the frame's tiles, then a quarter, at fixed places. */
 static uint32_t find_fewer(const glint_frame *frame, uint32_t tiles) {
     const uint32_t quarter = glint_quarter_of_tiles(frame);
     if (!frame->resident || tiles <= quarter)
@@ -177,15 +177,13 @@ static uint32_t find_fewer(const glint_frame *frame, uint32_t tiles) {
     return tiles > 2 * quarter ? 2 * quarter : quarter;
 }
 
-/* Are all objects loaded, and yet so little room is left that a pass would have few tiles? */
+/* Are all objects loaded, but so little room is left that a pass would have few tiles? */
 static int is_cramped(const glint_frame *frame) {
     return frame->resident && frame->pass_tiles < glint_quarter_of_tiles(frame);
 }
 
-/*
- * Bins for as many tiles as the arena allows, and loads parts where those would be few; a single tile may get a part of
- * the triangles.
- */
+/* Bins for as many tiles as the arena allows, and loads parts where these would be few. A single tile may get a part
+ * of the triangles. */
 static glint_status bin_tiles(glint_frame *frame) {
     const uint32_t object = frame->object, triangle = frame->triangle;
     const uint32_t triangles = frame->stats.triangles, away = frame->stats.facing_away, outside = frame->stats.outside,
@@ -219,7 +217,7 @@ static glint_status bin_tiles(glint_frame *frame) {
     return GLINT_OK;
 }
 
-/* Loads what a pass draws, unless it is there, and bins it. */
+/* Loads what a pass draws, unless it is loaded, and bins it. */
 static glint_status begin_pass(glint_frame *frame) {
     const int is_there = frame->resident || (frame->tile_first < frame->loaded_end && frame->ends);
     const glint_status status = is_there ? GLINT_OK : glint_load(frame);

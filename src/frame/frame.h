@@ -1,19 +1,20 @@
 /* SPDX-License-Identifier: MIT */
-/** @file frame.h The stages of a frame: check, load, bin, draw tiles. */
+/** @file frame.h Goes through the stages of a frame: check, load, bin, draw tiles. */
 #ifndef GLINT_FRAME_H
 #define GLINT_FRAME_H
 
 #include "../geometry/draw.h"
 
-/** Fills in defaults. @return GLINT_ERROR_NULL, _SIZE or _TILE. */
+/** Checks all of a configuration but its region, and fills defaults in. @return GLINT_ERROR_NULL, _SIZE or _TILE */
 glint_status glint_check_config(glint_config *config);
 
-/** Tiles of a pass. */
+/** Returns the number of a pass's tiles. */
 static inline uint32_t glint_pass_tiles(const glint_frame *frame) {
     return (uint32_t)(frame->tile_end - frame->tile_first);
 }
 
-/** Of a frame's tiles, rounded up: with fewer to a pass, vertices are no longer kept from pass to pass. */
+/** Returns a quarter of the frame's tiles, rounded up. When a pass has fewer tiles, vertices are not kept from pass to
+ * pass. */
 static inline uint32_t glint_quarter_of_tiles(const glint_frame *frame) {
     return (frame->tile_count + 3u) / 4;
 }
@@ -26,31 +27,32 @@ static inline int glint_is_first_of_material(const glint_scene *scene, uint32_t 
     return first == object;
 }
 
-/** A rectangle of pixels or tiles; right and bottom are exclusive. */
+/** A range is a rectangle of pixels or tiles. Right and bottom are exclusive. */
 typedef struct glint_range {
     int32_t left, top, right, bottom;
 } glint_range;
 
-/** Checks a scene, all but its meshes' indices. */
+/** Checks a scene, all but the indices of its meshes. */
 glint_status glint_check_scene(const glint_config *config, const glint_scene *scene);
 
-/** A pass finds once what it takes to list a triangle in a tile. A place is a word of two halves, x and y in 28.4. */
+/** A pass computes once what listing a triangle in a tile needs. A place is a word of two halves, x and y in 28.4. */
 typedef struct glint_bin_pass {
     glint_frame *frame;
-    uint32_t shift_x, shift_y;      /* from a place to the column and row of its tile */
+    uint32_t shift_x, shift_y;      /* shifts from a place to the column and row of its tile */
     uint32_t above;                 /* the bits of these */
     uint32_t last;                  /* the last place of the region */
-    uint32_t columns, first, count; /* tiles: of a row, before the pass, in the pass */
-    uint32_t most;                  /* references that there may be */
-    uint32_t end, reference;        /* behind the last triangle: its number and what would refer to it */
+    uint32_t columns, first, count; /* tiles of a row, before the pass, in the pass */
+    uint32_t most;                  /* the largest reference count */
+    uint32_t end, reference;        /* the number behind the last triangle, and the word that would refer to it */
 } glint_bin_pass;
 
 /** Puts triangles from (frame->object, frame->triangle) on into the lists of the pass's tiles. */
 glint_status glint_bin(glint_frame *frame, int *complete);
 
 /**
- * Where the last object's transform waits from when the view is prepared until vertices are loaded: at the arena's high
- * end, which none of that takes. Those of objects before it wait below, as long as nothing takes their place.
+ * Returns where the last object's transform waits, from when the view is prepared until vertices are loaded: at the
+ * arena's high end, which nothing else uses then. Transforms of objects before it wait below, as long as nothing needs
+ * their room.
  */
 static inline glint_transform *glint_last_transform(const glint_frame *frame) {
     return (glint_transform *)(void *)(frame->memory.base + frame->memory.high) - 1;
@@ -66,10 +68,8 @@ void glint_load_vertices(glint_frame *frame, glint_draw *draw, const glint_mesh 
  */
 int glint_bin_some(glint_bin_pass *pass, glint_draw *draw, uint32_t next, uint32_t end);
 
-/**
- * A draw at the end of the list, behind `last`, with room for so many vertices and triangles, and `list` bytes behind
- * the draw itself; the arena has it.
- */
+/** Adds a draw behind `last`, with room for so many vertices and triangles, and `list` bytes behind the draw itself.
+ * The arena has to have that room. */
 glint_draw *glint_add_draw(glint_frame *frame, glint_draw *last, const glint_transform *transform, uint32_t vertices,
                            uint32_t triangles, size_t list);
 
@@ -77,70 +77,70 @@ glint_draw *glint_add_draw(glint_frame *frame, glint_draw *last, const glint_tra
  * on. */
 glint_status glint_load(glint_frame *frame);
 
-/** Checks the configuration's region, which becomes the whole screen where it is all 0. */
+/** Checks the configuration's region. A region of 0 becomes the whole screen. */
 glint_status glint_check_region(glint_config *config);
 
-/** Sets up all of a frame but its arena. */
+/** Sets all of a frame up but its arena. */
 glint_status glint_frame_grid(glint_frame *frame, const glint_config *config, const glint_scene *scene);
 
-/** Tiles that a triangle may touch. @return 0 when it covers no pixel centre of the screen. */
+/** Finds the tiles that a triangle may touch. @return 0 when it covers no pixel centre of the screen */
 int glint_find_tiles(const glint_frame *frame, const glint_vertex *const v[3], glint_range *range);
 
-/** Bytes of arena that glint_render keeps for tiles. */
+/** Returns the bytes of arena that glint_render uses for tiles. */
 size_t glint_tile_buffers_size(const glint_config *config);
 
-/**
- * Takes these from the arena of a configuration, and lays the workspace of glint_render out there: the pixels of two
- * tiles lie behind each other, all else lies before or behind both. @return the bytes
- */
+/** Takes these bytes from the arena of a configuration, and lays the workspace of glint_render out there. The pixels of
+ * two tiles lie behind each other; all else lies before or behind both. @return the bytes */
 size_t glint_take_buffers(glint_config *config, glint_workspace *workspace);
 
 /** Pixels apart from the arena begin at multiples of so many bytes from the first. */
 #define GLINT_CACHE_LINE 64
 
-/** Bytes from the first tile's pixels to the second's. */
+/** Returns the bytes from the first tile's pixels to the second's. */
 size_t glint_second_pixels(const glint_config *config);
 
-/** Bytes of arena that a draw of so many vertices and triangles takes, its own index list included if it has one. */
+/** Returns the bytes of arena that a draw of so many vertices and triangles uses, with its own index list if it has
+ * one. */
 size_t glint_draw_size(const glint_frame *frame, const glint_object *object, const glint_transform *transform,
                        size_t vertices, size_t triangles, int has_list);
 
-/** Is all that a tile shows background, now that this pass is prepared? */
+/** Does a tile show nothing but background, now that this pass is prepared? */
 int glint_tile_is_empty(const glint_frame *frame, uint32_t tile);
 
 /* ---- Clusters ---- */
 
-/** A mesh's clusters, one after the other. */
+/** A walk goes through a mesh's clusters, one after the other. */
 typedef struct glint_walk {
     glint_eye eye;
-    const glint_cluster *cluster; /* the next */
+    const glint_cluster *cluster; /* the next cluster */
     uint32_t end;                 /* its first triangle */
-    uint8_t away;                 /* does the last one face away? */
+    uint8_t away;                 /* whether the last cluster faces away */
     uint16_t fetched[3];          /* corners of a triangle that the mesh has no array of */
 } glint_walk;
 
-/** What is linked where meshes have clusters. */
+/** This stage is linked where meshes have clusters. */
 struct glint_cull {
-    /** @return GLINT_ERROR_NULL where there is no list, GLINT_ERROR_MESH where clusters do not add up to the mesh */
+    /** Checks clusters. @return GLINT_ERROR_NULL where there is no list, GLINT_ERROR_MESH where clusters do not add up
+     * to the mesh */
     glint_status (*check)(const glint_mesh *mesh);
-    /** Loads the vertices of a draw of all that is left of a mesh. */
+    /** Loads the vertices of a draw of a whole mesh. */
     void (*load)(glint_frame *frame, glint_draw *draw, const glint_mesh *mesh);
-    /** glint_bin_some of all from `next` on, but for clusters that face away. */
+    /** Does what glint_bin_some does of all triangles from `next` on, except clusters that face away. */
     int (*bin)(glint_bin_pass *pass, glint_draw *draw, uint32_t next);
     /** Begins a run of triangles. */
     void (*begin)(glint_walk *walk, const glint_mesh *mesh, const glint_transform *transform);
-    /** Corners of a run's triangles, in order: all the same where a cluster faces away. */
+    /** Returns the corners of a run's triangles, in order. All three are the same where a cluster faces away. */
     const uint16_t *(*corners)(glint_walk *walk, const glint_mesh *mesh, uint32_t triangle);
 };
 
-/** What drops a mesh's clusters; null where it has none. */
+/** Returns what drops a mesh's clusters, null where it has none. */
 static inline const glint_cull *glint_cull_of(const glint_mesh *mesh) {
     return mesh->clusters ? mesh->clusters->cull : 0;
 }
 
 /* ---- Triangles of an object, in order ---- */
 
-/** A look at the triangles of an object, one after the other. */
+/** A sight looks at the triangles of an object, one after the other. */
 typedef struct glint_sight {
     glint_transform transform;
     glint_frame *frame;

@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: MIT */
-/* Meshes whose attributes are stored otherwise than in arrays of their own; linked with any type of such an attribute.
- */
+/* Decodes meshes whose attributes are stored otherwise than in arrays of their own. It is linked with any type of such
+ * an attribute. */
 #include "../light/evaluation.h"
 #include "../pixel/format.h"
 #include "frame.h"
 
 /* ---- Check ---- */
 
-/* May an attribute be read for one use? */
+/* May an attribute be read for a use? */
 static glint_status check_attribute(const glint_mesh_attribute *a, uint32_t use) {
     if (!a->type || !a->data)
         return GLINT_ERROR_NULL;
@@ -33,7 +33,7 @@ static glint_status check_layout_of(const glint_mesh *mesh) {
 
 /* ---- Positions ---- */
 
-/* Positions that are decoded at once. */
+/* So many positions are decoded at once. */
 #define FETCHED_AT_ONCE 8
 
 static void transform_fetched(const glint_transform *transform, const glint_mesh *mesh, uint32_t first, uint32_t count,
@@ -49,8 +49,8 @@ static void transform_fetched(const glint_transform *transform, const glint_mesh
 
 /* ---- Normals ---- */
 
-/* Puts the normals that are not known yet into an array of their own for as long as the triangle is lit: after that
- * they are. Until then no flag but that of clipping is set, and their numbers stand in attribute[0]. */
+/* Puts the normals that are still in mesh space into an array of their own while the triangle is lit. Until then only
+ * the flag of clipping may be set, and the numbers of vertices are in attribute[0]. */
 static void light_fetched(const glint_frame *frame, glint_draw *draw, const glint_transform *transform,
                           uint32_t triangle) {
     const glint_mesh_layout *layout = frame->scene->objects[draw->object].mesh->layout;
@@ -89,7 +89,7 @@ const glint_layout_stage glint_layouts = {check_layout_of, transform_fetched, li
 
 /* ---- Types ---- */
 
-/* Types of 16 bits, as the arrays of a mesh have them. */
+/* Types of 16 bits are stored as the arrays of a mesh have them. */
 static void fetch_words(const uint8_t *from, size_t stride, uint32_t count, int16_t (*to)[3]) {
     for (uint32_t i = 0; i < count; i++, from += stride) {
         const int16_t *word = (const int16_t *)(const void *)from;
@@ -102,7 +102,7 @@ const glint_attribute_type glint_attribute_int16 = {GLINT_OF_POSITIONS | GLINT_O
                                                     &glint_layouts};
 const glint_attribute_type glint_attribute_uint16 = {GLINT_OF_TRIANGLES, 6, 2, fetch_words, &glint_layouts};
 
-/* Positions and normals of 8 bits: the high halves of 16. */
+/* Positions and normals of 8 bits are the high halves of 16. */
 static void fetch_int8(const uint8_t *from, size_t stride, uint32_t count, int16_t (*to)[3]) {
     for (uint32_t i = 0; i < count; i++, from += stride)
         for (int c = 0; c < 3; c++)
@@ -112,7 +112,7 @@ static void fetch_int8(const uint8_t *from, size_t stride, uint32_t count, int16
 const glint_attribute_type glint_attribute_int8 = {GLINT_OF_POSITIONS | GLINT_OF_NORMALS, 3, 1, fetch_int8,
                                                    &glint_layouts};
 
-/* Triangles of meshes of up to 256 vertices. */
+/* Triangles of meshes of up to 256 vertices have indices of 8 bits. */
 static void fetch_uint8(const uint8_t *from, size_t stride, uint32_t count, int16_t (*to)[3]) {
     for (uint32_t i = 0; i < count; i++, from += stride)
         for (int c = 0; c < 3; c++)
@@ -121,7 +121,7 @@ static void fetch_uint8(const uint8_t *from, size_t stride, uint32_t count, int1
 
 const glint_attribute_type glint_attribute_uint8 = {GLINT_OF_TRIANGLES, 3, 1, fetch_uint8, &glint_layouts};
 
-/* Colours of vertices. */
+/* Colours of vertices have 8 bits a channel, or are RGB565. */
 static void fetch888(const uint8_t *from, size_t stride, uint32_t count, int16_t (*to)[3]) {
     for (uint32_t i = 0; i < count; i++, from += stride)
         for (int c = 0; c < 3; c++)
@@ -137,10 +137,11 @@ static void fetch565(const uint8_t *from, size_t stride, uint32_t count, int16_t
 const glint_attribute_type glint_attribute_rgb888 = {GLINT_OF_COLOURS, 3, 1, fetch888, &glint_layouts};
 const glint_attribute_type glint_attribute_rgb565 = {GLINT_OF_COLOURS, 2, 2, fetch565, &glint_layouts};
 
-/* Normals as points of an octahedron that is folded onto a square (Meyer et al., 2010; Cigolle et al., 2014). */
+/* Normals are points of an octahedron that is folded onto a square (Meyer et al., 2010; Cigolle et al., 2014). */
 /*
- * The normal of x and y, |x| + |y| + |z| = one: exact. One up to 32767; what is below -one stands for -one. Where z < 0
- * a coordinate is one less the other's magnitude, with its own sign: that is itself and z more or less.
+ * Decodes the normal of x and y, |x| + |y| + |z| = one, exactly. One is at most 32767, and values below -one count as
+ * -one. Where z < 0 a coordinate is one less the other's magnitude, with its own sign: that is itself and z more or
+ * less.
  */
 static inline void unfold(int32_t x, int32_t y, int32_t one, int32_t scale, int16_t to[3]) {
     x = x < -one ? -one : x;

@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: MIT */
-/* Load: the vertices of a frame's objects, where the arena holds them all; else parts of them: load_parts.c. */
+/* Loads the vertices of a frame's objects, where the arena holds them all; else parts.c loads parts of them. */
 #include "../light/evaluation.h"
 #include "../pixel/format.h"
 #include "frame.h"
 
-/* Compilers call it even in freestanding code; here the library does. */
+/* Compilers call this even in freestanding code; here the library does. */
 void *memset(void *bytes, int value, size_t size);
 
-/* What lights an object. */
+/* Returns the evaluation that lights an object. */
 static const glint_evaluation *evaluation_of(const glint_frame *frame, const glint_object *object) {
     static const glint_evaluation of_one_colour = {.lit_at = GLINT_LIT_AT_FRAGMENTS};
     const glint_suns_stage *suns = glint_find_suns(frame->scene);
@@ -16,7 +16,7 @@ static const glint_evaluation *evaluation_of(const glint_frame *frame, const gli
     return object->evaluation ? object->evaluation : &of_one_colour;
 }
 
-/* What a draw keeps beyond its vertices. */
+/* Does a draw keep more than its vertices? */
 static int keeps_extra(const glint_evaluation *evaluation, const glint_object *object) {
     return glint_has_colours(object->mesh) ||
            (evaluation->lit_at == GLINT_LIT_AT_VERTICES && (object->mesh->flags & GLINT_MESH_DOUBLE_SIDED) != 0);
@@ -45,7 +45,7 @@ size_t glint_draw_size(const glint_frame *frame, const glint_object *object, con
     return size;
 }
 
-/* Lights that do not reach an object. */
+/* Finds lights that do not reach an object. */
 static uint32_t find_unreached(const glint_frame *frame, const glint_object *object, uint32_t lights) {
     uint32_t unreached = 0;
     for (uint32_t i = 0; lights >> i; i++) {
@@ -57,13 +57,13 @@ static uint32_t find_unreached(const glint_frame *frame, const glint_object *obj
     return unreached;
 }
 
-/* Does nothing light an object, nor give it colours? */
+/* Does an object have one colour, as nothing lights it and its mesh has no colours? */
 static int is_of_one_colour(const glint_object *object, const glint_draw *draw) {
     return !glint_has_colours(object->mesh) &&
            (!object->material->model->is_lit || !(draw->shading->lights & ~draw->unreached));
 }
 
-/* Sets the one colour of an object: that of the last one where both are of one material. */
+/* Sets the one colour of an object. It is the last object's where both have one material. */
 static void set_flat(const glint_frame *frame, glint_draw *draw, const glint_draw *last) {
     int32_t colour[3];
     if (last && last->shading == draw->shading && last->draw_triangle == draw->draw_triangle) {
@@ -123,8 +123,8 @@ glint_draw *glint_add_draw(glint_frame *frame, glint_draw *last, const glint_tra
     return draw;
 }
 
-/* The colours of a mesh's vertices from `index` on, where it has any: 1 = GLINT_COLOUR_ONE. Of two arrays, the first.
- */
+/* Loads the colours of a mesh's vertices from `index` on, where it has any, 1 = GLINT_COLOUR_ONE. The first of two
+ * arrays counts. */
 static GLINT_NOINLINE void load_colours(const glint_mesh *mesh, uint32_t index, uint32_t count, int16_t (*to)[3]) {
     const uint8_t(*const level)[3] = mesh->colours;
     const uint16_t *const packed = mesh->colours565;
@@ -152,7 +152,7 @@ void glint_load_vertices(glint_frame *frame, glint_draw *draw, const glint_mesh 
         load_colours(mesh, index, count, &draw->extra[slot]);
 }
 
-/* All of an object. @return 0 when the arena is too full. */
+/* Loads all of an object. @return 0 when the arena is too full */
 static int load_whole(glint_frame *frame, glint_draw *last, const glint_transform *transform) {
     const glint_object *object = &frame->scene->objects[frame->object];
     const glint_mesh *mesh = object->mesh;
@@ -172,10 +172,10 @@ static int load_whole(glint_frame *frame, glint_draw *last, const glint_transfor
     return 1;
 }
 
-/* Loading leaves room for that much, and binning has not begun. */
+/* Loading leaves room for the last transform, and binning has not begun. */
 typedef char glint_last_transform_stays[sizeof(glint_transform) <= GLINT_BIN_RESERVE ? 1 : -1];
 
-/* The present object's transform. */
+/* Finds the present object's transform. */
 static void find_transform(const glint_frame *frame, glint_transform *transform) {
     const uint32_t behind = frame->scene->object_count - 1 - frame->object;
     const uint8_t *const taken = frame->memory.base + frame->memory.low;
@@ -189,7 +189,7 @@ static void find_transform(const glint_frame *frame, glint_transform *transform)
         glint_transform_place(transform, frame->view);
 }
 
-/* All objects. @return 0 when the arena is too small for them */
+/* Loads all objects. @return 0 when the arena is too small for them */
 static int load_all(glint_frame *frame) {
     glint_draw *last = 0;
     for (; frame->object < frame->scene->object_count; frame->object++) {

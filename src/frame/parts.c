@@ -470,7 +470,7 @@ glint_status glint_load_parts(glint_frame *frame) {
     if (status != GLINT_OK)
         return status;
     if (object || triangle)
-        frame->pass_tiles = 1; /* the rest of a tile's triangles */
+        frame->pass_tiles = 1; /* the rest of a tile's triangles are left */
     else if (frame->extents)
         choose_tiles(frame);
     for (;;) {

@@ -22,11 +22,11 @@ glint_status glint_init(glint_renderer *renderer, const glint_config *config) {
     return status;
 }
 
-/* The tile being sent, if any, and the buffers to take turns with. */
+/* A sender knows the tile that is being sent, if any, and the buffers that take turns. */
 typedef struct sender {
     const glint_flush *flush;
     void *buffers[2];
-    void *background; /* the one that holds nothing else, or null */
+    void *background; /* the buffer that holds background alone, or null */
     int busy;
     int error; /* what the flush reported, or 0 */
 } sender;
@@ -51,7 +51,7 @@ static glint_status send(sender *s, const glint_frame *frame, glint_workspace *w
     return GLINT_OK;
 }
 
-/* Draws a tile, unless a buffer holds what it shows. @return 1 when it is finished, or GLINT_ERROR_PAINT. */
+/* Draws a tile, unless a buffer already holds its pixels. @return 1 when it is finished, or GLINT_ERROR_PAINT */
 static int finish_tile(sender *s, const glint_frame *frame, glint_workspace *workspace, uint32_t tile) {
     const int empty =
         !frame->config.background.paint && !frame->config.overlay.paint && glint_tile_is_empty(frame, tile);
@@ -66,7 +66,7 @@ static int finish_tile(sender *s, const glint_frame *frame, glint_workspace *wor
     return glint_render_tile(frame, workspace, tile);
 }
 
-/* Finds what a pass leaves free of the arena. */
+/* Finds the bytes of the arena that a pass leaves free. */
 static glint_spare find_spare(const glint_frame *frame) {
     uint8_t *const low = glint_align(frame->references + frame->reference_count);
     uint8_t *const high = (uint8_t *)frame->clipped;
@@ -101,7 +101,7 @@ size_t glint_take_buffers(glint_config *config, glint_workspace *workspace) {
     }
     workspace->lamps = (void *)workspace->row;
     config->arena = memory + size;
-    config->arena_size -= size; /* glint_frame_begin gives up what aligning costs */
+    config->arena_size -= size; /* glint_frame_begin gives up the bytes that aligning costs */
     return size;
 }
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Draws the triangles that a pass lists for one tile, into buffers whose sizes are found here. */
+/* Draws the triangles that a pass lists for one tile, into buffers that this file measures and lays out. */
 #include "../light/evaluation.h"
 #include "../light/lamps.h"
 #include "../pixel/pixel.h"
@@ -12,12 +12,12 @@ size_t glint_row_bytes(const glint_format *format, uint32_t width) {
     return ((size_t)width * format->bits + 7) / 8;
 }
 
-/* Bytes of a tile's pixels. */
+/* Returns the bytes of a tile's pixels. */
 static size_t size_pixels(const glint_config *config) {
     return glint_row_bytes(config->format, config->tile_width) * config->tile_height;
 }
 
-/* Bytes of its depth, and of rows. */
+/* Returns the bytes of a tile's depth, and of rows. */
 static size_t size_depth(const glint_config *config) {
     const size_t rows = 2 * config->tile_width * sizeof(int32_t[3]);
     return (rows < sizeof(glint_lamps) ? sizeof(glint_lamps) : rows) +
@@ -36,7 +36,7 @@ size_t glint_second_pixels(const glint_config *config) {
     return config->pixels ? (size + GLINT_CACHE_LINE - 1) / GLINT_CACHE_LINE * GLINT_CACHE_LINE : size;
 }
 
-/* One tile is drawn while another is sent. */
+/* Returns how many tiles have pixels: one is drawn while another is sent. */
 static size_t count_tiles(const glint_config *config) {
     return config->flush.wait ? 2 : 1;
 }
@@ -69,7 +69,7 @@ void glint_workspace_init(glint_workspace *workspace, const glint_config *config
     workspace->spare = (glint_spare){0, 0, 0};
 }
 
-/* Sets where a tile lies, and how far its part of the region begins from its first pixel. */
+/* Finds where a tile lies, and how far its part of the region begins from its first pixel. */
 static void cut_tile(const glint_frame *frame, uint32_t tile, glint_tile *to, uint32_t *across, uint32_t *down) {
     const glint_config *const config = &frame->config;
     const uint32_t row = tile / frame->tile_columns, column = tile % frame->tile_columns;
@@ -114,7 +114,7 @@ void glint_repeat(void *bytes, size_t period, size_t size) {
         memcpy(first + done, first, done);
 }
 
-/* Blocks of the loop below. */
+/* The loop below fills blocks of this size. */
 #define FILL_BLOCK 64
 
 void glint_fill_words(void *bytes, uint32_t word, size_t size) {
@@ -148,7 +148,7 @@ static int paint(const glint_painter *painter, const glint_frame *frame, const g
     return painter->paint(painter->context, &of);
 }
 
-/* @return 0, or not where the background's painter failed */
+/* Fills a tile with background. @return not 0 where the painter failed */
 static int clear(const glint_frame *frame, glint_workspace *workspace, uint32_t tile) {
     const glint_config *config = &frame->config;
     if (config->background.paint)
@@ -167,7 +167,7 @@ int glint_tile_is_empty(const glint_frame *frame, uint32_t tile) {
     return frame->starts && frame->ends && frame->references[tile - frame->tile_first].next == GLINT_LIST_END;
 }
 
-/* Puts the corners of a triangle that runs clockwise on the screen in the other order. */
+/* Swaps the corners of a triangle that runs clockwise on the screen. */
 static GLINT_NOINLINE void turn_round(glint_triangle *triangle, const glint_draw *draw) {
     const glint_vertex *const *v = triangle->corners;
     const int clockwise = glint_double_area(v[0], v[1], v[2]) > 0;
@@ -184,15 +184,15 @@ static GLINT_NOINLINE void turn_round(glint_triangle *triangle, const glint_draw
     }
 }
 
-/* The triangles of walk->draw, by their numbers in the pass, that have no more than corners: none of some draws. */
+/* Plain triangles of walk->draw, by their numbers in the pass, need nothing but corners. Some draws have none. */
 typedef struct plain_triangles {
     uint32_t first, count;
-    int may_turn; /* corners may run clockwise on the screen */
+    int may_turn; /* whether corners may run clockwise on the screen */
 } plain_triangles;
 
 static inline plain_triangles no_triangles(void) {
     uint32_t none = 0;
-    GLINT_OPAQUE(none); /* else compilers store two zeros from a register of the FPU */
+    GLINT_OPAQUE(none); /* otherwise compilers store two zeros from a register of the FPU */
     return (plain_triangles){none, none, 0};
 }
 
@@ -205,13 +205,13 @@ static inline const uint16_t *find_corners(const glint_draw *draw, uint32_t i, g
     return indices;
 }
 
-/* What number stands for, of a triangle made by clipping. */
+/* Returns the clipped triangle of a number. */
 static const glint_clipped *clipped_of(const glint_frame *frame, uint32_t number) {
     const glint_clipped *top = (const glint_clipped *)(const void *)(frame->memory.base + frame->memory.high);
     return top - 1 - (GLINT_CLIPPED_TOP - number);
 }
 
-/* The draw of a triangle, this one or one that follows. */
+/* Returns the draw of a triangle: this one or one that follows. */
 static const glint_draw *find_draw(const glint_frame *frame, const glint_draw *draw, uint32_t number) {
     if (number > GLINT_TRIANGLES_MAX)
         return clipped_of(frame, number)->draw;
@@ -228,7 +228,7 @@ static void begin_draw(glint_row_walk *walk, const glint_draw *draw) {
     walk->packed = draw->packed;
 }
 
-/* Any triangle, of the walk's draw, of one that follows, or made by clipping. */
+/* Finds any triangle: of the walk's draw, of one that follows, or made by clipping. */
 static GLINT_NOINLINE void find_any_triangle(glint_row_walk *walk, plain_triangles *plain, uint32_t number) {
     glint_triangle *const t = &walk->triangle;
     const glint_draw *const draw = find_draw(walk->frame, walk->draw, number);
@@ -254,7 +254,7 @@ static GLINT_NOINLINE void find_any_triangle(glint_row_walk *walk, plain_triangl
         turn_round(t, draw);
 }
 
-/* A triangle by its number; a list names draws in order, none before the walk's. */
+/* Finds a triangle by its number. A list names draws in order, none before the walk's. */
 static inline void find_triangle(glint_row_walk *walk, plain_triangles *plain, uint32_t number) {
     const uint32_t i = number - plain->first;
     if (i >= plain->count) {
@@ -266,7 +266,7 @@ static inline void find_triangle(glint_row_walk *walk, plain_triangles *plain, u
         turn_round(&walk->triangle, walk->draw);
 }
 
-/* Where a tile lies: it is drawn from its first pixel on, wherever the region begins, to where that ends. */
+/* Places a tile. It is drawn from its first pixel on, wherever the region begins, to the region's end. */
 static void place_tile(const glint_frame *frame, glint_window *window, uint32_t tile) {
     const glint_config *const config = &frame->config;
     const uint32_t row = tile / frame->tile_columns, column = tile % frame->tile_columns;
@@ -278,7 +278,7 @@ static void place_tile(const glint_frame *frame, glint_window *window, uint32_t 
 
 /* ---- Hidden draws ---- */
 
-/* Hides what lies behind a span: stores its depth, a step less than it has, so that it still is nearer itself. */
+/* Hides what lies behind a span: stores its depth, less a step, so that the span itself is still nearer. */
 static void hide_span(glint_row_walk *walk, int32_t row, int32_t left, int32_t right) {
     uint16_t *depth = walk->depth + ((uint32_t)row << walk->shift) + left, *const end = depth + (right - left);
     uint32_t z = glint_z_at(walk, row, left);
@@ -286,7 +286,7 @@ static void hide_span(glint_row_walk *walk, int32_t row, int32_t left, int32_t r
         const uint32_t here = ((uint32_t)glint_most((int32_t)z, GLINT_DEPTH_BIAS) >> 15) - 1;
         if (here >= *depth) {
             *depth = (uint16_t)here;
-            walk->packed = 1; /* it may show */
+            walk->packed = 1; /* it may be visible */
         }
     }
 }
@@ -298,9 +298,8 @@ static void begin_hiding(glint_row_walk *walk, int32_t row, int32_t left, int32_
 }
 
 /*
- * Hides what of a costly object lies behind those that are drawn later: light that nobody sees costs more than depth
- * that is found twice. Of those that are drawn later, triangles that do not show leave the list. Pixels are the same
- * whatever is hidden here.
+ * Hides the parts of costly objects that lie behind objects drawn later: light that nobody sees costs more than finding
+ * depth twice. Triangles drawn later that are not visible leave the list. Pixels are the same whatever is hidden here.
  */
 static GLINT_NOINLINE void hide_objects(const glint_frame *frame, glint_row_walk *walk, glint_reference *list) {
     glint_reference *const references = frame->references;
@@ -329,7 +328,7 @@ static GLINT_NOINLINE void hide_objects(const glint_frame *frame, glint_row_walk
 
 /* ---- Tiles ---- */
 
-/* Draws the triangles of a tile's list. Out of line, where the loop has all registers. */
+/* Draws the triangles of a tile's list. This is out of line, where the loop has all registers. */
 static GLINT_NOINLINE void draw_triangles(const glint_frame *frame, glint_workspace *workspace, uint32_t tile) {
     glint_reference *const references = frame->references, *const list = &references[tile - frame->tile_first];
     plain_triangles plain = no_triangles();

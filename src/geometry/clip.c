@@ -1,18 +1,16 @@
 /* SPDX-License-Identifier: MIT */
-/*
- * Clip: triangles that cross the near plane or leave the guard band (Sutherland and Hodgman, 1974). An edge is cut
- * from its inner towards its outer end, so that the triangles on both its sides get the same corner.
- */
+/* Clips triangles that cross the near plane or leave the guard band (Sutherland and Hodgman, 1974). An edge is cut
+ * from its inner towards its outer end, so that the triangles on both its sides get the same corner. */
 #include "geometry.h"
 
 #define PLANES 5
 
-/* The w that the guard band is reached at: a position's own, or that of parallel rays. */
+/* Returns the w at which x reaches the guard band: a position's own, or that of parallel rays. */
 static inline int32_t side_of(const glint_transform *transform, int32_t w) {
     return transform->clips & GLINT_PARALLEL ? transform->nearest : w;
 }
 
-/* How far inside a plane a position lies: 0 the near plane, 1 to 4 the sides. */
+/* Returns how far inside a plane a position lies. Plane 0 is the near plane, 1 to 4 are the sides. */
 static int64_t distance(const glint_transform *transform, const glint_position *p, int plane) {
     const int64_t side = side_of(transform, p->w);
     switch (plane) {
@@ -29,12 +27,14 @@ static int64_t distance(const glint_transform *transform, const glint_position *
     }
 }
 
-/* a + (b - a) t, t Q31. */
+/* Computes a + (b - a) t, t Q31. */
 static int32_t mix_ends(int32_t a, int32_t b, int64_t t) {
     return (int32_t)(a + glint_round_shift64(((int64_t)b - a) * t, 31));
 }
 
-/* Where an edge crosses a plane, Q31 from 0 to 1: distances inside >= 0 > outside, both at most 2^31 away from 0. */
+/*
+ * Returns where an edge crosses a plane, Q31 from 0 to 1, given distances inside >= 0 > outside, at most 2^31 from 0.
+ */
 static int64_t crossing(int64_t inside, int64_t outside) {
     return inside * ((int64_t)1 << 31) / (inside - outside);
 }
@@ -56,7 +56,7 @@ static int clip_at(const glint_transform *transform, int plane, const glint_corn
         const int64_t d0 = d1;
         d1 = distance(transform, &next->position, plane);
         const int more = (d0 >= 0) + ((d0 >= 0) != (d1 >= 0));
-        if (kept + more > GLINT_CLIP_CORNERS) /* a plane adds one corner; rounding may tell of more: those are points */
+        if (kept + more > GLINT_CLIP_CORNERS) /* a plane adds one corner; rounding may add more, which are points */
             break;
         if (d0 >= 0)
             out[kept++] = *here;
@@ -68,7 +68,7 @@ static int clip_at(const glint_transform *transform, int plane, const glint_corn
     return kept;
 }
 
-/* A cut corner may lie a step outside: bring it onto the guard band, where projection is safe. */
+/* Brings a cut corner, which may lie a step outside, onto the guard band, where projection is safe. */
 static void keep_inside(const glint_transform *transform, glint_position *p) {
     p->w = glint_most(p->w, transform->near_plane);
     const int32_t side = side_of(transform, p->w);

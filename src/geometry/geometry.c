@@ -1,15 +1,15 @@
 /* SPDX-License-Identifier: MIT */
-/* Geometry: vertices to clip space, to the screen, and their normals to camera space. */
+/* Brings vertices to clip space and to the screen, and their normals to camera space. */
 #include "geometry.h"
 
 #include "../math/division.h"
 #include "draw.h"
 
 /*
- * The nearest w over w, Q31, by the inverse of w; of what lies 64 to 128 times as far and farther with 6 bits more: the
- * inverse itself has 18. Of a coordinate the lowest byte need not count; of the nearest w, which may be far below w, it
- * does. The nearest surface ends up just below the top, so that a plane's rounding cannot pass it; the farthest above
- * 0, so that 1/w can be divided by.
+ * Returns the nearest w over w, Q31, from the inverse of w; with 6 bits more where w is at least 64 to 128 times the
+ * nearest. The inverse itself has 18 bits. The lowest byte of a coordinate need not count. That of the nearest w does,
+ * which may be far below w. The nearest surface ends up just below the top, so that a plane's rounding cannot pass it.
+ * The farthest ends up above 0, so that 1/w can be divided by.
  */
 static inline int32_t to_inverse_w(int32_t nearest, uint32_t inverse) {
     const unsigned more = nearest < (1 << 22) - (1 << 8) ? 6 : 0; /* 64 times this stays below the top */
@@ -18,13 +18,15 @@ static inline int32_t to_inverse_w(int32_t nearest, uint32_t inverse) {
     return glint_most(glint_shift_left(glint_least(depth, 0x7fff0000 >> 6), 6 - more), 64);
 }
 
-/* Clip coordinates inside the guard band and beyond the near plane, w from 1 up and no less than the nearest. */
+/* Projects clip coordinates inside the guard band and beyond the near plane. w is from 1 up and no less than the
+ * nearest. */
 static GLINT_INLINE void project_inline(const glint_transform *transform, int32_t x, int32_t y, int32_t w,
                                         glint_vertex *vertex) {
     int32_t nearest = transform->nearest;
     if (w < 1 << 28) {
         unsigned up = 1;
-        for (w *= 2; w < 1 << 28; w *= 2) /* once at most unless it is near or deep: faster than to count zeros */
+        for (w *= 2; w < 1 << 28;
+             w *= 2) /* mostly one step, unless w is near or the depth ratio large: faster than counting zeros */
             up++;
         x = glint_shift_left(x, up);
         y = glint_shift_left(y, up);
@@ -32,7 +34,7 @@ static GLINT_INLINE void project_inline(const glint_transform *transform, int32_
     }
     uint32_t inverse = glint_inverse((uint32_t)w);
     vertex->inverse_w = to_inverse_w(nearest, inverse);
-    inverse -= inverse >> 10; /* GUARD_BAND is 1023 pixels, this in 1024: sixteenths are Q14 */
+    inverse -= inverse >> 10; /* GUARD_BAND is 1023 pixels, the divisor 1024: sixteenths are Q14 */
     x = glint_scale(x, inverse) + transform->center_x;
     y = glint_scale(y, inverse) + transform->center_y;
     vertex->x = (int16_t)glint_shift_right(x, 11);
@@ -56,7 +58,7 @@ static int is_outside(int32_t x, int32_t y, int32_t w, int32_t near_plane) {
     return w < near_plane || x >= w || x <= -w || y >= w || y <= -w;
 }
 
-/* Clip coordinates of a position of the mesh. */
+/* Returns the clip coordinates of a position of the mesh. */
 static inline glint_position to_clip_space(const glint_transform *transform, const int16_t p[3]) {
     const int32_t *t = transform->translation;
     return (glint_position){glint_row_times(&transform->matrix[0], p[0], p[1], p[2], t[0]),
@@ -64,7 +66,7 @@ static inline glint_position to_clip_space(const glint_transform *transform, con
                             glint_row_times(&transform->matrix[2], p[0], p[1], p[2], t[2])};
 }
 
-/* Vertices of parallel rays: all have the same w. */
+/* Transforms vertices of parallel rays, which all have the same w. */
 static GLINT_NOINLINE void transform_parallel(const glint_transform *transform, const int16_t (*p)[3], uint32_t first,
                                               uint32_t count, glint_vertex *vertex, glint_position *position) {
     for (const glint_vertex *end = vertex + count; vertex < end; vertex++, p++, position++, first++) {
@@ -77,24 +79,22 @@ static GLINT_NOINLINE void transform_parallel(const glint_transform *transform, 
     }
 }
 
-/* Leading zeros of a w of 29 to 31 bits. */
+/* Counts the leading zeros of a w of 29 to 31 bits. */
 static inline uint32_t zeros_of_w(uint32_t w) {
     if (GLINT_COUNTS_ZEROS)
         return glint_leading_zeros(w);
     return w >> 30 ? 1 : w >> 29 ? 2 : 3;
 }
 
-/*
- * Vertices of objects that the short matrix serves. With w = W 2^zeros in 32 bits, its 16 high bits rounded, 2^47 / w
- * is found to within 2^-16 of itself.
- */
+/* Transforms vertices of objects that the short matrix serves. With w = W 2^zeros in 32 bits and its 16 high bits
+ * rounded, 2^47 / w is exact to 2^-16 of itself. */
 static GLINT_NOINLINE void transform_brief(const glint_transform *transform, const int16_t (*p)[3], uint32_t first,
                                            uint32_t count, glint_vertex *vertex) {
     const glint_short_matrix *m = &transform->brief;
     const int32_t center_x = transform->center_x, center_y = transform->center_y;
     for (const glint_vertex *end = vertex + count; vertex < end; vertex++, p++, first++) {
-        GLINT_OPAQUE(m);      /* else all of it is copied to the stack, which saves no load */
-        GLINT_OPAQUE(vertex); /* else gcc counts in another way */
+        GLINT_OPAQUE(m);      /* otherwise all of it is copied to the stack, which saves no load */
+        GLINT_OPAQUE(vertex); /* otherwise gcc counts differently */
         GLINT_OPAQUE(p);
         GLINT_OPAQUE(first);
         const int32_t x = (*p)[0], y = (*p)[1], z = (*p)[2];
@@ -111,13 +111,13 @@ static GLINT_NOINLINE void transform_brief(const glint_transform *transform, con
     }
 }
 
-/* Vertices that are nowhere clipped, and whose positions are not kept. */
+/* Transforms vertices of objects that are not clipped and whose positions are not kept. */
 static GLINT_NOINLINE void transform_inside(const glint_transform *transform, const int16_t (*p)[3], uint32_t first,
                                             uint32_t count, glint_vertex *vertex) {
     for (const glint_vertex *end = vertex + count; vertex < end; vertex++, p++, first++) {
         if (!GLINT_SPLIT_PRODUCTS)
-            GLINT_OPAQUE(transform); /* else the matrix is copied to the stack, which saves no load */
-        GLINT_OPAQUE(vertex);        /* else gcc counts in another way */
+            GLINT_OPAQUE(transform); /* otherwise the matrix is copied to the stack, which saves no load */
+        GLINT_OPAQUE(vertex);        /* otherwise gcc counts differently */
         GLINT_OPAQUE(p);
         const glint_position here = to_clip_space(transform, *p);
         vertex->attribute[0] = (int16_t)(uint16_t)first;
@@ -126,7 +126,7 @@ static GLINT_NOINLINE void transform_inside(const glint_transform *transform, co
     }
 }
 
-/* Vertices that may be clipped, or whose positions are kept; built for size, any. */
+/* Transforms vertices that may be clipped or whose positions are kept; in a library built for size, any. */
 static GLINT_NOINLINE void transform_kept(const glint_transform *transform, const int16_t (*p)[3], uint32_t first,
                                           uint32_t count, glint_vertex *vertex, glint_position *position) {
     for (const glint_vertex *end = vertex + count; vertex < end; vertex++, p++, first++) {
@@ -145,7 +145,7 @@ static GLINT_NOINLINE void transform_kept(const glint_transform *transform, cons
     }
 }
 
-/* Any vertices. */
+/* Transforms any vertices. */
 static GLINT_INLINE void transform_all(const glint_transform *transform, const int16_t (*p)[3], uint32_t first,
                                        uint32_t count, glint_vertex *vertex, glint_position *position) {
     if (transform->brief.serves) {
@@ -170,13 +170,13 @@ void glint_transform_steps(const glint_transform *transform, const int16_t (*p)[
     transform_all(transform, p, first, count, vertex, position);
 }
 
-/* Half the length that a normal of 32767 has when it was turned; how far it may be from that; and that as squares. */
+/* A rotated normal of 32767 has this half length, may be off by this tolerance, and its square lies in this range. */
 #define HALF_LENGTH 16380
 #define HALF_TOLERANCE 3
 #define LEAST_SQUARE ((uint32_t)(HALF_LENGTH - HALF_TOLERANCE) * (HALF_LENGTH - HALF_TOLERANCE))
 #define SQUARES ((uint32_t)HALF_LENGTH * 4 * HALF_TOLERANCE)
 
-/* A normal that was unit stays so when the object is turned and scaled evenly: its length then need not be made so. */
+/* A unit normal keeps its length when the object is rotated and scaled evenly. Then it need not be normalised. */
 void glint_transform_normal(const glint_draw *draw, glint_vertex *vertex) {
     const int16_t *n = draw->normals[(uint16_t)vertex->attribute[0]];
     const glint_row *matrix = draw->transform.normal;

@@ -1,14 +1,14 @@
 /* SPDX-License-Identifier: MIT */
-/** @file geometry.h Vertices from the steps of a mesh to the screen, clipping, and how attributes of meshes are stored.
- */
+/** @file geometry.h Brings vertices from the steps of a mesh to the screen, clips triangles, and decodes attributes of
+ * meshes. */
 #ifndef GLINT_GEOMETRY_H
 #define GLINT_GEOMETRY_H
 
 #include "../scene/view.h"
 
 #define GLINT_VERTEX_CLIP 1u   /* in front of the near plane or outside the guard band: x, y and 1/w are not valid */
-#define GLINT_VERTEX_LIT 2u    /* the vectors that it keeps are known: light/suns.c */
-#define GLINT_VERTEX_NORMAL 4u /* its normal is known; until then its number in the mesh stands in attribute[0] */
+#define GLINT_VERTEX_LIT 2u    /* the vectors that it keeps are valid: light/suns.c */
+#define GLINT_VERTEX_NORMAL 4u /* its normal is in camera space; until then attribute[0] is its number in the mesh */
 
 typedef struct glint_vertex {
     int32_t inverse_w;    /* Q31 */
@@ -17,10 +17,10 @@ typedef struct glint_vertex {
     uint16_t flags;
 } glint_vertex;
 
-/** Full brightness of a colour in int16. */
+/** Full brightness of a colour in int16 is this. */
 #define GLINT_COLOUR_ONE 32767
 
-/** Clip coordinates; kept only where an object may have to be clipped. */
+/** Clip coordinates are kept only where an object may have to be clipped. */
 typedef struct glint_position {
     int32_t x, y, w;
 } glint_position;
@@ -29,20 +29,20 @@ typedef struct glint_position {
 typedef void glint_transform_some(const glint_transform *transform, const glint_mesh *mesh, uint32_t first,
                                   uint32_t count, glint_vertex *vertex, glint_position *position);
 
-/** The same of those that have an array of positions. */
+/** Transforms vertices of a mesh that has an array of positions. */
 glint_transform_some glint_transform_array;
 
-/** The same, given the first one's place in such an array. */
+/** Transforms vertices whose positions are given: `p` is the place of the first. */
 void glint_transform_steps(const glint_transform *transform, const int16_t (*p)[3], uint32_t first, uint32_t count,
                            glint_vertex *vertex, glint_position *position);
 
-/** Screen position and 1/w of clip coordinates inside the guard band and beyond the near plane. */
+/** Finds the screen position and 1/w of clip coordinates inside the guard band and beyond the near plane. */
 void glint_project(const glint_transform *transform, const glint_position *position, glint_vertex *vertex);
 
-/** Most corners of a clipped triangle: each of 5 planes adds one. */
+/** A clipped triangle has at most so many corners: each of 5 planes adds one. */
 #define GLINT_CLIP_CORNERS 8
 
-/** A corner on its way through clipping. */
+/** A corner is on its way through clipping. */
 typedef struct glint_corner {
     glint_position position;
     int32_t attribute[6]; /* a vertex's attribute and its extra one; normals get shorter where interpolated */
@@ -55,15 +55,13 @@ typedef struct glint_corner {
  */
 int glint_clip(const glint_transform *transform, glint_corner corners[GLINT_CLIP_CORNERS]);
 
-/**
- * Twice a triangle's area in 28.4 squared; above 0 when its corners run clockwise on the screen, y down.
- * The guard band keeps it in 32 bits.
- */
+/** Returns twice a triangle's area in 28.4 squared, above 0 when its corners run clockwise on the screen, y down. The
+ * guard band keeps it in 32 bits. */
 static inline int32_t glint_double_area(const glint_vertex *a, const glint_vertex *b, const glint_vertex *c) {
     return (b->x - a->x) * (c->y - a->y) - (c->x - a->x) * (b->y - a->y);
 }
 
-/** Does a triangle face the eye? Not when it has no area. */
+/** Does a triangle face the eye? A triangle without area does not. */
 static inline int glint_faces(int mirrored, int double_sided, const glint_vertex *const v[3]) {
     int32_t area = glint_double_area(v[0], v[1], v[2]);
     return area != 0 && (double_sided || (area > 0) == mirrored);
@@ -79,27 +77,28 @@ typedef void glint_light_triangle(const glint_frame *frame, struct glint_draw *d
 
 struct glint_walk;
 
-/** What is linked with any type of a layout. */
+/** This stage is linked with any type of a layout. */
 typedef struct glint_layout_stage {
-    /** @return GLINT_ERROR_NULL, _TYPE or _STRIDE */
+    /** Checks the layout of a mesh. @return GLINT_ERROR_NULL, _TYPE or _STRIDE */
     glint_status (*check)(const glint_mesh *mesh);
     glint_transform_some *transform; /* of a mesh that has no array of positions */
     /** Lights a triangle of a mesh that has no array of normals. */
     glint_light_triangle *light;
-    /** Corners of a triangle of a mesh that has no array of them. */
+    /** Finds the corners of a triangle of a mesh that has no array of triangles. */
     const uint16_t *(*corners)(struct glint_walk *walk, const glint_mesh *mesh, uint32_t triangle);
-    /** Takes memory for all triangles of a mesh that has no array of them. */
+    /** Takes memory for all triangles of such a mesh, and decodes them. */
     const uint16_t (*(*list)(glint_frame *frame, const glint_mesh *mesh))[3];
 } glint_layout_stage;
 
 extern const glint_layout_stage glint_layouts;
 
-/** What types serve, as bits. */
+/** These bits say which attributes a type serves. */
 enum { GLINT_OF_POSITIONS = 1, GLINT_OF_NORMALS = 2, GLINT_OF_TRIANGLES = 4, GLINT_OF_COLOURS = 8 };
 
 struct glint_attribute_type {
     uint8_t uses, size, alignment;
-    /** Decodes `count` of them to three numbers each, as a mesh's own arrays have them; of colours, 2^15 less 1 is 1.
+    /**
+     * Decodes `count` attributes to three numbers each, as the arrays of a mesh have them. 1 of a colour is 2^15 - 1.
      */
     void (*fetch)(const uint8_t *from, size_t stride, uint32_t count, int16_t (*to)[3]);
     const glint_layout_stage *stage;
@@ -111,7 +110,7 @@ static inline void glint_fetch(const glint_mesh_attribute *from, uint32_t first,
     from->type->fetch((const uint8_t *)from->data + first * stride, stride, count, to);
 }
 
-/** A position of a mesh, in steps; decoded to `fetched` where it has no array of them. */
+/** Returns a position of a mesh, in steps; decoded to `fetched` where the mesh has no array of positions. */
 static inline const int16_t *glint_steps_of(const glint_mesh *mesh, uint32_t index, int16_t fetched[3]) {
     if (mesh->positions)
         return mesh->positions[index];
@@ -119,7 +118,7 @@ static inline const int16_t *glint_steps_of(const glint_mesh *mesh, uint32_t ind
     return fetched;
 }
 
-/** The same of a triangle's corners. */
+/** Returns a triangle's corners, decoded to `fetched` where the mesh has no array of triangles. */
 static inline const uint16_t *glint_triangle_of(const glint_mesh *mesh, uint32_t triangle, uint16_t fetched[3]) {
     if (mesh->triangles)
         return mesh->triangles[triangle];
@@ -127,13 +126,13 @@ static inline const uint16_t *glint_triangle_of(const glint_mesh *mesh, uint32_t
     return fetched;
 }
 
-/** The same in a run of triangles; they stand in walk->fetched where the mesh has no array of them. */
+/** Returns the corners of the next triangle of a run, in walk->fetched where the mesh has no array of triangles. */
 static inline const uint16_t *glint_corners_of(struct glint_walk *walk, const glint_mesh *mesh, uint32_t triangle) {
     return mesh->triangles ? mesh->triangles[triangle]
                            : mesh->layout->triangles.type->stage->corners(walk, mesh, triangle);
 }
 
-/** What transforms a mesh's vertices. */
+/** Returns the function that transforms a mesh's vertices. */
 static inline glint_transform_some *glint_transform_of(const glint_mesh *mesh) {
     return mesh->positions ? glint_transform_array : mesh->layout->positions.type->stage->transform;
 }
@@ -147,18 +146,18 @@ static inline void glint_transform_vertices(const glint_transform *transform, co
         mesh->layout->positions.type->stage->transform(transform, mesh, first, count, vertex, position);
 }
 
-/** Have the vertices of a mesh colours of their own? */
+/** Do the vertices of a mesh have colours of their own? */
 static inline int glint_has_colours(const glint_mesh *mesh) {
     return mesh->colours || mesh->colours565 || (mesh->layout && mesh->layout->colours.type);
 }
 
-/** A channel of a vertex's own colour from 8 bits, 1 = GLINT_COLOUR_ONE; factors are 2^15 over the highest level, Q8.
- */
+/** Converts a channel of a vertex's colour from 8 bits, 1 = GLINT_COLOUR_ONE. The factor is 2^15 over the highest
+ * level, Q8. */
 static inline int16_t glint_channel_from8(uint32_t level) {
     return (int16_t)(level * 32896u >> 8);
 }
 
-/** Channel c of one in RGB565. */
+/** Converts channel c of a vertex's colour from RGB565, likewise. */
 static inline int16_t glint_channel_from565(uint32_t packed, int c) {
     return (int16_t)(c == 1 ? (packed >> 5 & 63) * 133152u >> 8 : (packed >> (c ? 0 : 11) & 31) * 1057u);
 }

@@ -1,30 +1,31 @@
 /* SPDX-License-Identifier: MIT */
-/* Orthographic projection: what differs for parallel rays; view.h describes how. */
+/* Does what differs for parallel rays (orthographic projection); view.h describes how. */
 #include "geometry.h"
 
-/* Steps of depth from the nearest to the farthest: pixels have one more, and planes room for their rounding. */
+/* There are so many steps of depth from the nearest to the farthest. Pixels have one more, and planes room for
+ * rounding. */
 #define STEPS 65533
 
-/* A pixel is then at least 2^-18 of a unit wide. */
+/* From this height on a pixel is at least 2^-18 of a unit wide. */
 #define LEAST_HEIGHT (GLINT_ONE / 256)
 
-/* Half pixels, Q12, that the guard band is wide: a ray's z where w is that of all. */
+/* The guard band has so many half pixels, Q12. This is a ray's z at the w of all. */
 #define RAY_OF_W (2 * GLINT_GUARD_BAND * 4096)
 
-/* The farthest, which with a share of 2^-16 of another is 2^30 at most. */
+/* A ray is no farther than this, so that with a share of 2^-16 of another it is at most 2^30. */
 #define FARTHEST_RAY ((1 << 30) - (1 << 14))
 
 static int is_valid_view(const glint_camera *camera) {
     return camera->view_height >= LEAST_HEIGHT;
 }
 
-/* The guard band's width in units: from 2^19.99 to 2^54. */
+/* Returns the guard band's width in units, from 2^19.99 to 2^54. */
 static int64_t find_same_w(const glint_config *config, const glint_camera *camera) {
     const int64_t height = config->height;
     return ((int64_t)camera->view_height * (GLINT_GUARD_BAND << 12) + height / 2) / height;
 }
 
-/* Behind a view's lights. */
+/* Returns the range, which lies behind a view's lights. */
 static glint_depth_range *range_of(const glint_view *view) {
     return (glint_depth_range *)(void *)((uint8_t *)(uintptr_t)view + GLINT_VIEW_SIZE(view->light_count));
 }
@@ -33,7 +34,7 @@ static int64_t far_of(const glint_depth_range *range) {
     return (int64_t)((uint64_t)range->far_high << 32 | range->far_low);
 }
 
-/* A distance in the units of rays. */
+/* Converts a distance to the units of rays. */
 static int32_t to_ray(const glint_view *view, int64_t distance) {
     const int64_t w = view->nearest;
     if (distance / 127 >= w)
@@ -55,8 +56,8 @@ static void set_range(glint_view *view, int64_t nearest, int64_t farthest) {
     to->far_ray = to_ray(view, farthest) + (to->range_ray >> 16);
 }
 
-/* 2^15 at the farthest, 2^15 STEPS more at the nearest; off by 2^-22 of that. What is 2^7 ranges away counts as that.
- */
+/* Returns a depth: 2^15 at the farthest, 2^15 STEPS more at the nearest, off by 2^-22 of that. A distance of more than
+ * 2^7 ranges counts as that. */
 static int64_t depth_of_w(const glint_view *view, int64_t w) {
     const glint_depth_range *const range = range_of(view);
     const int64_t nearer = far_of(range) - w, most = (int64_t)1 << 30;

@@ -20,7 +20,7 @@ int32_t glint_slope(int32_t dx, int32_t dy) {
 }
 #endif
 
-/* Leading zeros of 8 bits. */
+/* The table counts the leading zeros of 8 bits. */
 #define TWO(n) n, n
 #define EIGHT(n) TWO(n), TWO(n), TWO(n), TWO(n)
 #define ALL_32(n) EIGHT(n), EIGHT(n), EIGHT(n), EIGHT(n)
@@ -41,18 +41,18 @@ void glint_unit(int32_t x, int32_t y, int32_t z, int16_t out[3]) {
 
 uint32_t glint_reciprocal(uint32_t x) {
     uint32_t start = (0xffffffffu / (x >> 16)) << 15; /* off by 2^-15, never too low by more than 2^-16 */
-    /* 2^31 (1 - x start / 2^63), rounded down */
+    /* This is 2^31 (1 - x start / 2^63), rounded down. */
     int64_t error = ((int64_t)1 << 31) - (int64_t)(((uint64_t)x * start + 0xffffffffu) >> 32);
     int64_t result = (int64_t)start + glint_shift_right64((int64_t)start * error, 31);
     return result > 0xffffffffLL ? 0xffffffffu : (uint32_t)result;
 }
 
-/* x / 3, x from 0 to 2^16 - 1. */
+/* Computes x / 3, x from 0 to 2^16 - 1. */
 static uint32_t third(uint32_t x) {
     return x * 43691 >> 17;
 }
 
-/* ln(1 + r), r and result Q31, |r| up to 2^-6: three terms of the series, error below 1.5e-8. */
+/* Computes ln(1 + r), r and result Q31, |r| up to 2^-6, by three terms of the series. The error is below 1.5e-8. */
 static int32_t natural_logarithm(int32_t r) {
     const int32_t square = (int32_t)glint_shift_right64(glint_product(r, r), 31);
     const int32_t cube = (int32_t)glint_shift_right64(glint_product(square, r), 31);
@@ -114,7 +114,7 @@ int32_t glint_sine(uint32_t phase) {
     return (int32_t)(phase >> 31 ? -sine : sine);
 }
 
-/* Digit by digit: `root` is twice what is found, times the digit at `bit`, and x what is left. */
+/* Finds the root digit by digit: `root` is twice what is found, times the digit at `bit`, and x is the rest. */
 uint32_t glint_square_root(uint64_t x) {
     uint64_t root = 0, bit = (uint64_t)1 << (x >> 32 ? 62 : 30);
     while (bit > x)

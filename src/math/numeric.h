@@ -32,7 +32,7 @@
 #include <limits.h>
 #include <stdint.h>
 
-/** Length of a unit vector: a little below 2^15, so that its rounded components always fit int16. */
+/** A unit vector has this length: a little below 2^15, so that its rounded components always fit int16. */
 #define GLINT_UNIT 32764
 
 /** Forbids inlining, so that the calling loop keeps its registers. */
@@ -49,7 +49,7 @@
 #define GLINT_INLINE inline
 #endif
 
-/** A function of its arguments alone: the compiler may keep values in registers across the call. */
+/** Marks a function of its arguments alone: the compiler may keep values in registers across the call. */
 #if defined(__GNUC__)
 #define GLINT_CONST __attribute__((const))
 #else
@@ -63,10 +63,8 @@
 #define GLINT_RARELY(x) (x)
 #endif
 
-/**
- * Declares what a descriptor names and only another descriptor needs: it stands in a file that the other brings into
- * the link, and is null elsewhere. So a light type and an evaluation link what takes both.
- */
+/** Declares a symbol that a descriptor names and only another descriptor needs. It is defined in a file that the other
+ * brings into the link, and is null elsewhere. So a light type and an evaluation link what needs both. */
 #if (defined(__ELF__) || defined(__wasm__)) && defined(__GNUC__)
 #define GLINT_IF_LINKED __attribute__((weak))
 #else
@@ -80,7 +78,7 @@
 #define GLINT_SMALL 0
 #endif
 
-/** Forces inlining into callers that each know some arguments; for size, there is one function for all. */
+/** Forces inlining into callers that each know some arguments. For size, there is one function for all. */
 #if GLINT_SMALL
 #define GLINT_SPECIAL GLINT_NOINLINE
 #else
@@ -104,7 +102,7 @@
 /* Right shifts of negative numbers are arithmetic on every compiler glint knows; this fails to compile elsewhere. */
 typedef char glint_arithmetic_shift[(-1 >> 1) == -1 ? 1 : -1];
 
-/* Products and sums are of 32 bits: with a narrower or a wider int they would not come out the same. */
+/* Products and sums have 32 bits. With a narrower or a wider int the results would differ. */
 typedef char glint_int_of_32_bits[INT_MAX == 0x7fffffff ? 1 : -1];
 
 extern const uint16_t glint_inverse_root_table[354];
@@ -114,32 +112,32 @@ extern const uint32_t glint_log2_inverse_table[32];
 extern const uint32_t glint_log2_table[32];
 extern const uint32_t glint_exp2_table[32];
 
-/** floor(x / 2^n), n from 0 to 31. */
+/** Computes floor(x / 2^n), n from 0 to 31. */
 static inline int32_t glint_shift_right(int32_t x, unsigned n) {
     return x >> n;
 }
 
-/** floor(x / 2^n), n from 0 to 63. */
+/** Computes floor(x / 2^n), n from 0 to 63. */
 static inline int64_t glint_shift_right64(int64_t x, unsigned n) {
     return x >> n;
 }
 
-/** x / 2^n rounded to nearest, halves up; n from 1 to 62, |x| below 2^62. */
+/** Computes x / 2^n rounded to nearest, halves up; n from 1 to 62, |x| below 2^62. */
 static inline int64_t glint_round_shift64(int64_t x, unsigned n) {
     return glint_shift_right64(x + ((int64_t)1 << (n - 1)), n);
 }
 
-/** x 2^n for either sign, n from 0 to 31; the product must fit. */
+/** Computes x 2^n for either sign, n from 0 to 31; the product must fit. */
 static inline int32_t glint_shift_left(int32_t x, unsigned n) {
     return (int32_t)((uint32_t)x << n);
 }
 
-/** x + y modulo 2^32. Planes are evaluated so: the result is right wherever the true value fits. */
+/** Computes x + y modulo 2^32. Planes are evaluated so: the result is right wherever the true value fits. */
 static inline int32_t glint_add_wrap(int32_t x, int32_t y) {
     return (int32_t)((uint32_t)x + (uint32_t)y);
 }
 
-/** x y modulo 2^32. */
+/** Computes x y modulo 2^32. */
 static inline int32_t glint_multiply_wrap(int32_t x, int32_t y) {
     return (int32_t)((uint32_t)x * (uint32_t)y);
 }
@@ -153,10 +151,10 @@ static inline int32_t glint_multiply_wrap(int32_t x, int32_t y) {
 #endif
 #endif
 
-/** Leading zero bits of x, 32 for 0; where neither core nor compiler count them. */
+/** Counts the leading zero bits of x, 32 for 0, where neither core nor compiler do. */
 GLINT_CONST unsigned glint_leading_zeros_by_table(uint32_t x);
 
-/** Leading zero bits of x, 32 for 0. */
+/** Counts the leading zero bits of x, 32 for 0. */
 static inline unsigned glint_leading_zeros(uint32_t x) {
 #if defined(__GNUC__) && (GLINT_COUNTS_ZEROS || GLINT_SMALL)
     return x ? (unsigned)__builtin_clz(x) : 32u;
@@ -165,7 +163,7 @@ static inline unsigned glint_leading_zeros(uint32_t x) {
 #endif
 }
 
-/** Bits needed for x: 0 for 0, 64 from 2^63 on. */
+/** Returns the bits that x needs: 0 for 0, 64 from 2^63 on. */
 static inline unsigned glint_bits64(uint64_t x) {
     uint32_t high = (uint32_t)(x >> 32);
     return high ? 64u - glint_leading_zeros(high) : 32u - glint_leading_zeros((uint32_t)x);
@@ -191,33 +189,31 @@ static inline int32_t glint_most_of(int32_t a, int32_t b, int32_t c) {
     return glint_most(glint_most(a, b), c);
 }
 
-/** |x| or |x| - 1: enough to tell how many bits a component needs. */
+/** Returns |x| or |x| - 1, which suffices to find how many bits a component needs. */
 static inline uint32_t glint_magnitude_bits(int32_t x) {
     return (uint32_t)(x ^ glint_shift_right(x, 31));
 }
 
-/* Between two nodes of the table of roots. */
+/* Interpolates between two nodes of the table of roots. */
 static inline int32_t glint_inverse_root_between(const uint16_t node[2], uint32_t c) {
     const int32_t fraction = (int32_t)((c >> 7) & 0xffff);
     return node[0] - glint_shift_right((node[0] - node[1]) * fraction + 0x8000, 16);
 }
 
-/**
- * UNIT / sqrt(c): c from 2^28 to 3 2^30 as an integer, result scaled by 2^15; linear interpolation.
- * Relative error at most 5.44e-5.
- */
+/** Computes UNIT / sqrt(c) for c from 2^28 to 3 2^30 as an integer, times 2^15, by linear interpolation. The relative
+ * error is at most 5.44e-5. */
 static inline int32_t glint_inverse_root(uint32_t c) {
     return glint_inverse_root_between(&glint_inverse_root_table[(c >> 23) - 32], c);
 }
 
-/** Returns 2^31 / sqrt(c) for c from 2^30 up: 2^15 to 2^16; relative error at most 4e-5. */
+/** Computes 2^31 / sqrt(c) for c from 2^30 up: the result is from 2^15 to 2^16, its relative error at most 4e-5. */
 static inline uint32_t glint_over_length(uint32_t c) {
     const uint32_t word =
         *(const uint32_t *)(const void *)((const uint8_t *)glint_length_table + (4 * (int32_t)(c >> 24) - 256));
     return (word - (word & 0xffff) * (c >> 8 & 0xffff)) >> 16;
 }
 
-/** glint_unit, for the loops over fragments. */
+/** Does what glint_unit does, for the loops over fragments. */
 static inline void glint_unit_inline(int32_t x, int32_t y, int32_t z, int16_t out[3]) {
     unsigned zeros = glint_leading_zeros(glint_magnitude_bits(x) | glint_magnitude_bits(y) | glint_magnitude_bits(z));
     if (zeros < 17) { /* scale the largest component to 2^14 .. 2^15 */
@@ -237,47 +233,43 @@ static inline void glint_unit_inline(int32_t x, int32_t y, int32_t z, int16_t ou
     out[2] = (int16_t)glint_shift_right(z * r + 0x4000, 15);
 }
 
-/**
- * A unit vector in the direction of (x, y, z), of any int32 components; 0 for 0.
- * Each component is off by at most 2.3 steps from direction times UNIT, length by at most 2.3.
- */
+/** Computes the unit vector in the direction of (x, y, z), of any int32 components; 0 for 0. Each component is off by
+ * at most 2.3 steps from direction times UNIT, length by at most 2.3. */
 void glint_unit(int32_t x, int32_t y, int32_t z, int16_t out[3]);
 
-/** a . b of two unit vectors: 1 is UNIT^2, just below 2^30; rounding may pass it by 2^-12 of it. */
+/** Computes a . b of two unit vectors. 1 is UNIT^2, just below 2^30; rounding may pass it by 2^-12 of it. */
 static inline int32_t glint_dot(const int16_t a[3], const int16_t b[3]) {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-/** a . b, which fits 32 bits. */
+/** Computes a . b, which has to fit 32 bits. */
 static inline int32_t glint_dot32(const int32_t a[3], const int32_t b[3]) {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-/**
- * floor-ish 2^63 / x for x from 2^31: below 2^32, relative error at most 1.64e-9.
- * One Newton step from a 16-bit division.
- */
+/** Computes 2^63 / x for x from 2^31, rounded down or nearly so: below 2^32, relative error at most 1.64e-9. It is one
+ * Newton step from a 16-bit division. */
 uint32_t glint_reciprocal(uint32_t x);
 
-/** Binary logarithm of x / 2^31, x from 1 to 2^31: Q26, -31 to 0; off by at most 1.93 steps. 0 gives -32. */
+/**
+ * Computes the binary logarithm of x / 2^31, x from 1 to 2^31: Q26, -31 to 0, off by at most 1.93 steps. 0 gives -32.
+ */
 int32_t glint_log2(uint32_t x);
 
-/** 2^y for y Q26, 0 or below: Q30, at most 2^30; off by at most 12.8 steps. */
+/** Computes 2^y for y Q26, 0 or below: Q30, at most 2^30, off by at most 12.8 steps. */
 uint32_t glint_exp2(int32_t y);
 
-/**
- * (x / 2^31)^p: x from 0 to 2^31, p Q16.16 from 0 up; Q30, at most 2^30. 0^0 is 1.
- * Off by at most 25 steps up to p = 2, 220 at 32, 7050 at 1024: 7 for each unit of p.
- */
+/** Computes (x / 2^31)^p for x from 0 to 2^31 and p Q16.16 from 0 up: Q30, at most 2^30. 0^0 is 1. It is off by at most
+ * 25 steps up to p = 2, 220 at 32, 7050 at 1024: 7 for each unit of p. */
 uint32_t glint_power(uint32_t x, int32_t p);
 
-/** Sine of a phase, 2^32 to the turn: Q30, -2^30 to 2^30; off by at most 64.7 steps. */
+/** Computes the sine of a phase, 2^32 to the full angle: Q30, -2^30 to 2^30, off by at most 64.7 steps. */
 int32_t glint_sine(uint32_t phase);
 
-/** Square root, rounded down. */
+/** Computes the square root, rounded down. */
 uint32_t glint_square_root(uint64_t x);
 
-/** Degrees Q16.16 as a phase, 2^32 to the turn; off by at most 0.556 steps. */
+/** Converts degrees, Q16.16, to a phase, 2^32 to the full angle; off by at most 0.556 steps. */
 uint32_t glint_phase(int32_t degrees);
 
 #endif

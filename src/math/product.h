@@ -1,9 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/**
- * @file product.h
- * Products of more than 32 bits, on cores that have a product of 64 bits and on those that have not. Both forms give
- * the same bits.
- */
+/** @file product.h Computes products of more than 32 bits, on cores that have a product of 64 bits and on those that do
+ * not. Both forms give the same bits. */
 #ifndef GLINT_PRODUCT_H
 #define GLINT_PRODUCT_H
 
@@ -18,7 +15,7 @@
 #endif
 #endif
 
-/** a b of any numbers: by the core, or from products of 16 bits by 16. */
+/** Computes a b of any numbers: by the core, or from products of 16 bits by 16. */
 static inline int64_t glint_product_whole(int32_t a, int32_t b) {
     return (int64_t)a * b;
 }
@@ -31,7 +28,7 @@ static inline int64_t glint_product_split(int32_t a, int32_t b) {
     return (int64_t)high * ((int64_t)1 << 32) | ((uint32_t)second << 16 | (low & 0xffff));
 }
 
-/** The same of numbers without a sign. */
+/** Computes the same of numbers without a sign. */
 static inline uint64_t glint_product_unsigned_whole(uint32_t a, uint32_t b) {
     return (uint64_t)a * b;
 }
@@ -43,7 +40,7 @@ static inline uint64_t glint_product_unsigned_split(uint32_t a, uint32_t b) {
     return (uint64_t)high << 32 | second << 16 | (low & 0xffff);
 }
 
-/** The high half of these products: short enough to stand where it is needed. */
+/** Computes the high half of these products. It is short enough to be inlined. */
 static inline int32_t glint_product_high_whole(int32_t a, int32_t b) {
     return (int32_t)glint_shift_right64((int64_t)a * b, 32);
 }
@@ -64,12 +61,12 @@ static inline uint32_t glint_product_high_unsigned_split(uint32_t a, uint32_t b)
     return a1 * b1 + (first >> 16) + (second >> 16);
 }
 
-/** Three entries of a matrix, times 2. */
+/** A row is three entries of a matrix, times 2. */
 typedef struct glint_row_whole {
     int32_t entry[3];
 } glint_row_whole;
 
-/** The same: entry = high 2^14 + low, low from 0 to 2^14 - 1. */
+/** A split row has entries high 2^14 + low, low from 0 to 2^14 - 1. */
 typedef struct glint_row_split {
     int32_t high[3], low[3];
 } glint_row_split;
@@ -91,17 +88,15 @@ static inline int32_t glint_row_get_split(const glint_row_split *row, int i) {
     return row->high[i] * (1 << 14) + row->low[i];
 }
 
-/**
- * row . (x, y, z) / 2^15 rounded to nearest, halves up, and then t added; x, y and z are int16. Exact but for rounding.
- * Entries and t are below 2^30, and the magnitudes of the products sum up to at most 3 2^43.
- */
+/** Computes row . (x, y, z) / 2^15 rounded to nearest, halves up, and adds t; x, y and z are int16. It is exact except
+ * for rounding. Entries and t are below 2^30, and the magnitudes of the products sum up to at most 3 2^43. */
 static inline int32_t glint_row_times_whole(const glint_row_whole *row, int32_t x, int32_t y, int32_t z, int32_t t) {
     int64_t sum = (int64_t)t * ((int64_t)1 << 32) + ((int64_t)1 << 31); /* the result is its high half */
     sum += (int64_t)row->entry[0] * (x * 65536);
     sum += (int64_t)row->entry[1] * (y * 65536);
     sum += (int64_t)row->entry[2] * (z * 65536);
     int32_t high = (int32_t)glint_shift_right64(sum, 32);
-    GLINT_OPAQUE(high); /* before the next row begins: three at once take more registers than there are */
+    GLINT_OPAQUE(high); /* this comes before the next row: three at once need more registers than there are */
     return high;
 }
 
@@ -112,7 +107,7 @@ static inline int32_t glint_row_times_split(const glint_row_split *row, int32_t 
     return t + glint_shift_right(high[0] * x + high[1] * y + high[2] * z + sum + 1, 1);
 }
 
-/** floor(floor(x / 2^8) r / 2^15): |x| below 2^30, r below 2^22, |x| r at most 2^48 + 2^30. */
+/** Computes floor(floor(x / 2^8) r / 2^15): |x| below 2^30, r below 2^22, |x| r at most 2^48 + 2^30. */
 static inline int32_t glint_scale_whole(int32_t x, uint32_t r) {
     int32_t whole = x & ~0xff;
     GLINT_OPAQUE(whole); /* one product, not one for each place that x comes from */
@@ -124,7 +119,7 @@ static inline int32_t glint_scale_split(int32_t x, uint32_t r) {
     return glint_shift_right(glint_shift_right(x, 18) * (int32_t)r + (int32_t)low, 5);
 }
 
-/** floor(x r / 2^n), n from 12 to 15: |x| at most 3 2^(n + 13), r from 0 to 2^16. */
+/** Computes floor(x r / 2^n), n from 12 to 15: |x| at most 3 2^(n + 13), r from 0 to 2^16. */
 static inline int32_t glint_slope_of_whole(int32_t x, int32_t r, unsigned n) {
     return (int32_t)glint_shift_right64((int64_t)x * r, n);
 }
@@ -134,7 +129,7 @@ static inline int32_t glint_slope_of_split(int32_t x, int32_t r, unsigned n) {
     return glint_shift_right(x, n) * r + (int32_t)(low >> n);
 }
 
-/** floor((a b + c d) / 2^15): b and d up to 2^15, and a sum below 2^46. */
+/** Computes floor((a b + c d) / 2^15): b and d up to 2^15, and a sum below 2^46. */
 static inline int32_t glint_sum_of_products_whole(int32_t a, int32_t b, int32_t c, int32_t d) {
     return (int32_t)glint_shift_right64((int64_t)a * b + (int64_t)c * d, 15);
 }
@@ -145,10 +140,8 @@ static inline int32_t glint_sum_of_products_split(int32_t a, int32_t b, int32_t 
            glint_shift_right((a & 0x7fff) * b + (c & 0x7fff) * d, 15);
 }
 
-/**
- * floor(r . (x, y, z) / 2^16) of a row of a camera's rotation, Q16, whose length is at most 1.002; x, y and z are below
- * 2^28. No sum of its products, of high or of low halves, passes 1.74 2^30.
- */
+/** Computes floor(r . (x, y, z) / 2^16) of a row of a camera's rotation, Q16, whose length is at most 1.002; x, y and z
+ * are below 2^28. No sum of its products, of high or of low halves, passes 1.74 2^30. */
 static inline int32_t glint_turn_whole(const int32_t r[3], int32_t x, int32_t y, int32_t z) {
     return (int32_t)glint_shift_right64((int64_t)r[0] * x + (int64_t)r[1] * y + (int64_t)r[2] * z, 16);
 }
@@ -188,10 +181,8 @@ typedef glint_row_whole glint_row;
 #define glint_product_unsigned glint_product_unsigned_whole
 #endif
 
-/**
- * 2^48 / w, w from 2^28 to 3 2^28: relative error at most 3.1e-6. The square of its inverse root, and one Newton step;
- * products of 32 bits only.
- */
+/** Computes 2^48 / w for w from 2^28 to 3 2^28: the relative error is at most 3.1e-6. It squares the inverse root and
+ * does one Newton step, by products of 32 bits only. */
 static inline uint32_t glint_inverse(uint32_t w) {
     uint32_t root = (uint32_t)glint_inverse_root(w << 2);
     uint32_t r = root * root >> 10;               /* too small by 1.3e-4 to 3.6e-4 */

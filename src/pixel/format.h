@@ -1,28 +1,29 @@
 /* SPDX-License-Identifier: MIT */
-/** @file format.h Channels of colours, and formats of pixels. */
+/** @file format.h Describes channels of colours, and formats of pixels. */
 #ifndef GLINT_FORMAT_H
 #define GLINT_FORMAT_H
 
 #include "../geometry/draw.h"
 #include "../raster/triangle.h"
 
-/** Fractional bits of a channel on its way into a pixel: sums below 16 fit. */
+/** A channel on its way into a pixel has so many fractional bits: sums below 16 fit. */
 #define GLINT_CHANNEL_BITS 27
 #define GLINT_CHANNEL_ONE (1 << GLINT_CHANNEL_BITS)
 
-/** A channel from one of 15 bits, 1 = GLINT_COLOUR_ONE. */
+/** Converts a channel from 15 bits, 1 = GLINT_COLOUR_ONE. */
 static inline int32_t glint_channel_of(int16_t colour) {
     return (colour << (GLINT_CHANNEL_BITS - 15)) + (colour >> (30 - GLINT_CHANNEL_BITS));
 }
 
-/** A colour, Q23, as channels that are not in levels; those beyond 15 become 15. */
+/** Converts a colour, Q23, to channels that are not in levels. Channels beyond 15 become 15. */
 static GLINT_INLINE void glint_channels_of(const uint32_t colour[3], int32_t channel[3]) {
     const uint32_t most = 15u << 23;
     for (int c = 0; c < 3; c++) /* Q23 to Q27 */
         channel[c] = (int32_t)((colour[c] < most ? colour[c] : most) << (GLINT_CHANNEL_BITS - 23));
 }
 
-/** A channel as levels of so many bits, half a level included: cut off, it is rounded. 0 bits: as it is. */
+/** Converts a channel to levels of so many bits and adds half a level, so that cutting it off rounds. With 0 bits the
+ * channel stays as it is. */
 static inline int32_t glint_to_levels(int32_t channel, unsigned bits) {
     return bits ? channel - glint_shift_right(channel, bits) + (1 << (GLINT_CHANNEL_BITS - 1 - bits)) : channel;
 }
@@ -36,12 +37,13 @@ static inline int32_t glint_to_levels(int32_t channel, unsigned bits) {
  */
 #define GLINT_SPREAD_GUARD 0x80100200u
 
-/** A pixel of a tile, and its colour; and N'.N' there, 1 = 2^32, and 2^14 over its root, where it is lit: suns.h. */
+/** A pixel of a tile has an offset and a colour. Where it is lit, it has N'.N', 1 = 2^32, and 2^14 over the root of
+ * this: suns.h. */
 typedef struct glint_spread {
     uint32_t offset, colour, square, over;
 } glint_spread;
 
-/** A word packed into 16 bits: 5 red, 6 green, 5 blue; what is above them is to be cut off. */
+/** Packs a word into 16 bits: 5 red, 6 green, 5 blue. The caller cuts off what is above them. */
 static inline uint32_t glint_spread_pack(uint32_t word) {
 #if defined(__ARM_FEATURE_SAT) && defined(__GNUC__)
     union {
@@ -59,13 +61,13 @@ static inline uint32_t glint_spread_pack(uint32_t word) {
 #endif
 }
 
-/** A sum of two words, each channel clamped: a guard bit that is set sets the nine below. */
+/** Clamps each channel of a sum of two words: a guard bit that is set sets the nine below. */
 static inline uint32_t glint_spread_clamp(uint32_t word) {
     uint32_t over = word & GLINT_SPREAD_GUARD;
     return word | (over - (over >> 9));
 }
 
-/** A sum of two words with a threshold in 1/128 level, as 16 bits; of that, words have 1/16 of blue and green. */
+/** Packs a sum of two words with a threshold in 1/128 level into 16 bits. Blue and green of words have 1/16 of this. */
 static inline uint32_t glint_spread_565(uint32_t word, uint32_t threshold) {
     return glint_spread_pack(glint_spread_clamp(word + (threshold >> 3) * 0x00200801u));
 }
@@ -76,27 +78,27 @@ struct glint_sun_spans;
 
 extern const struct glint_sun_spans glint_sun_spans_rgb565, glint_sun_spans_rgb565_be;
 
-/** What draws spans of one directional light: each format of 16 bits refers to its own beside itself, where only these
- * lights look. */
+/** Each format of 16 bits has functions of its own for spans of one directional light. They are named beside the
+ * format, where only these lights look. */
 typedef enum glint_spans_of { GLINT_SPANS_OF_ANY, GLINT_SPANS_OF_RGB565, GLINT_SPANS_OF_RGB565_BE } glint_spans_of;
 extern const struct glint_sun_spans *const glint_spans_of_rgb565 GLINT_IF_LINKED, *const glint_spans_of_rgb565_be
                                                                                       GLINT_IF_LINKED;
 
-/** A pixel of a tile, by its number, and its colour. */
+/** A pixel of a tile is listed by its number, with its colour. */
 typedef struct glint_list_pixel {
     uint32_t pixel;
     int32_t colour[3];
 } glint_list_pixel;
 
-/** Begins the colours of a triangle that is visible. @return 0 where walk->draw_span is to draw it */
+/** Begins the colours of a visible triangle. @return 0 where walk->draw_span is to draw it */
 typedef int glint_begin_colours(glint_row_walk *walk);
 
 struct glint_format {
     uint8_t bits;       /* per pixel */
     uint8_t channel[3]; /* bits of each channel's levels; 0 where it goes into luma */
-    uint8_t edge[2];    /* bits that are 0 in the x and the y of pixels with which bytes begin */
+    uint8_t edge[2];    /* bits that are 0 in the x and the y of pixels that begin a byte */
     uint8_t is_dithered;
-    /** Stores `count` pixels of a tile, so many bytes apart; of colours in levels. */
+    /** Stores `count` pixels of a tile, so many bytes apart. Their colours are in levels. */
     void (*store_list)(void *pixels, unsigned tile_shift_x, const glint_list_pixel *pixel, size_t stride,
                        uint32_t count);
     /** Gives all of a tile one colour. */
@@ -109,13 +111,13 @@ struct glint_format {
     glint_draw_span *flat_span, *smooth;
     /** Stores a pixel of the tile; a dithered format adds its threshold. */
     void (*put)(const glint_row_walk *walk, uint32_t pixel, glint_lanes lanes);
-    /** Stores pixels of a tile whose colours are words of spread.h, or null; words have half a level where spans of one
-     * directional light have functions of their own, which store it so. */
+    /** Stores pixels of a tile whose colours are spread words; may be null. Where spans of one directional light have
+     * functions of their own, these have added half a level. */
     void (*store_spread)(void *pixels, unsigned tile_shift_x, const glint_spread *words, const glint_spread *end);
     uint8_t sun_spans; /* glint_spans_of */
 };
 
-/** Draws a triangle of one colour that has been begun by spans. */
+/** Draws by spans a triangle of one colour that has been begun. */
 void glint_walk_flat(glint_row_walk *walk, glint_begun begun);
 
 /** Begins a triangle of one colour, and draws it by spans. */
@@ -136,16 +138,18 @@ static inline void glint_walk_begin_format(glint_row_walk *walk, const glint_con
     walk->is_exacting = config->gamma || config->format->is_dithered || bits > 6;
 }
 
-/** Dithered formats add such a part of a level to colours that are interpolated: less than the least threshold, so that
- * black stays black and white stays white; of 1 bit, whose levels are far apart, no more than rounding asks for. */
+/**
+ * Dithered formats add this part of a level to interpolated colours. It is less than the least threshold, so that black
+ * stays black and white stays white. The levels of 1 bit are far apart: there it is no more than rounding needs.
+ */
 static inline int32_t glint_dither_margin(unsigned bits) {
     return bits > 1 ? 256 : 2048;
 }
 
 /*
- * Levels of a format: Q15 of as many as its channels have, half a level added where the format is not dithered. Luma
- * comes three times. What rounding takes interpolated levels beyond their corners must not pass 0 or carry into the
- * next channel: it is to be less than half of what has been added.
+ * Levels of a format are Q15 of as many as its channels have, with half a level added where the format is not dithered.
+ * Luma comes three times. Rounding may take interpolated levels beyond their corners. It must not take them below 0 or
+ * carry into the next channel, so that it has to be less than half of what has been added.
  */
 
 /** Brings a colour, 1 = GLINT_COLOUR_ONE, to levels by way of the configuration's output tables, where there are any.
@@ -155,8 +159,7 @@ void glint_finish_lane_levels(const glint_config *config, const int16_t colour[3
 /** Brings the colour of a facet, Q23, to levels, the same way. */
 void glint_finish_facet(const glint_config *config, const uint32_t colour[3], int16_t level[3]);
 
-/** Brings the colour of a corner, Q23, to levels that are interpolated; where there are output tables, to
- * 1 = GLINT_COLOUR_ONE. */
+/** Brings the colour of a corner, Q23, to levels that are interpolated; with output tables, to 1 = GLINT_COLOUR_ONE. */
 void glint_finish_corner(const glint_config *config, const uint32_t colour[3], int16_t level[3]);
 
 /** Returns the lanes of levels, which are 0 or above. */

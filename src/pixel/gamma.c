@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: MIT */
-/* Gamma: an output table for each channel, linear between its entries; off by at most 2.5 steps of Q16. */
+/* Brings colours to the levels of a format, by way of an output table for each channel. The tables are linear between
+ * their entries, and off by at most 2.5 steps of Q16. */
 #include "pixel.h"
 
-/* What a panel needs to show a channel; 1 is taken for a step less. */
+/* Returns the output of a table for a channel, Q27. 1 counts as a step less. */
 static inline int32_t look_up(const uint16_t *table, int32_t channel) {
     const uint32_t x = glint_saturate(channel, 23, GLINT_CHANNEL_BITS - 23);
     const uint16_t *const entry = table + (x >> 15);
@@ -11,7 +12,7 @@ static inline int32_t look_up(const uint16_t *table, int32_t channel) {
     return (value + glint_shift_right(value, 15)) * (1 << (GLINT_CHANNEL_BITS - 16));
 }
 
-/* The same of a channel of some colours, in levels. */
+/* Looks one channel of some colours up, and brings it to levels. */
 static void look_up_all(const uint16_t *table, unsigned bits, int32_t (*colour)[3], int c, uint32_t count) {
     for (uint32_t i = 0; i < count; i++)
         colour[i][c] = glint_to_levels(look_up(table, colour[i][c]), bits);
@@ -29,13 +30,13 @@ void glint_finish_colours(const glint_config *config, int32_t (*colour)[3], uint
             colour[i][c] = glint_to_levels(colour[i][c], bits[c]);
 }
 
-/* A level of 2^bits - 1, Q15, from a channel of 15 bits. */
+/* Returns a level of 2^bits - 1, Q15, from a channel of 15 bits. */
 static inline int32_t to_level(int32_t channel, unsigned bits) {
     const int32_t one = channel + glint_shift_right(channel, 14);
     return one - glint_shift_right(one, bits);
 }
 
-/* Brings a level to where it can be cut off, or take a threshold. */
+/* Places a level so that it can be cut off, or take a threshold. */
 static inline int16_t place_level(const glint_format *format, int32_t level, unsigned bits, int is_interpolated) {
     const int32_t unit = 1 << (15 - bits);
     if (!format->is_dithered)
@@ -65,7 +66,7 @@ void glint_finish_lane_levels(const glint_config *config, const int16_t colour[3
     to_lane_levels(config->format, shown, level, 0);
 }
 
-/* Clamps a colour, Q23, at 1: 1 = GLINT_COLOUR_ONE. */
+/* Clamps a colour, Q23, to 1. In the result 1 is GLINT_COLOUR_ONE. */
 static void clamp_colour(const uint32_t colour[3], int16_t clamped[3]) {
     for (int c = 0; c < 3; c++)
         clamped[c] = (int16_t)(colour[c] < (1u << 23) - 256 ? (colour[c] + 128) >> 8 : GLINT_COLOUR_ONE);
@@ -77,7 +78,7 @@ static inline int16_t finish_channel(uint32_t channel, uint32_t bits) {
     return (int16_t)((one - (one >> bits) + ((1u << 22) >> bits)) >> 8);
 }
 
-/* Brings a colour to levels of a format that has three channels, and is not dithered. @return 0 for others */
+/* Brings a colour to levels of a format that has three channels and is not dithered. @return 0 for others */
 static inline int finish_plain(const glint_config *config, const uint32_t colour[3], int16_t level[3]) {
     const glint_format *format = config->format;
     if (config->gamma || format->is_dithered || !format->channel[1])

@@ -1,9 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/**
- * @file pixel.h
- * What the pixel formats share. A format says how it packs three channels into a number and where it puts that; its
- * loops over pixels are made of the two.
- */
+/** @file pixel.h Has what the pixel formats share. A format defines how it packs three channels into a number and where
+ * it puts the number. Its loops over pixels are made of the two. */
 #ifndef GLINT_PIXEL_H
 #define GLINT_PIXEL_H
 
@@ -11,23 +8,24 @@
 #include "../raster/small.h"
 #include "format.h"
 
-/** Thresholds of ordered dithering over 8 x 8 pixels in 1/128 level: 1, 3 .. 127, row by row (Bayer, 1973). */
+/** These are the thresholds of ordered dithering over 8 x 8 pixels in 1/128 level: 1, 3 .. 127, row by row (Bayer,
+ * 1973). They are the bits of x ^ y and y, interleaved in reverse, times 2 plus 1. */
 extern const uint8_t glint_dither_matrix[64];
 
-/** The threshold that rounds to nearest. */
+/** This threshold rounds to nearest. */
 #define GLINT_NEAREST 64
 
-/** A tile's pixels. */
+/** A target is the pixels of a tile. */
 typedef struct glint_target {
     void *pixels;
     unsigned shift; /* binary logarithm of the tile's width */
     int dithered;
 } glint_target;
 
-/** What a format packs channels into; the threshold is in 1/128 level. */
+/** Packs channels for a format. The threshold is in 1/128 level. */
 typedef uint32_t glint_pack_colour(const int32_t colour[3], uint32_t threshold);
 
-/** What a format packs a word of spread.h into, which the threshold is added to. */
+/** Adds a threshold to a spread word, and packs it for a format. */
 typedef uint32_t glint_pack_spread(uint32_t word, uint32_t threshold);
 
 /** Puts a packed pixel at `offset` of the tile. */
@@ -40,7 +38,7 @@ typedef void glint_put(const glint_target *target, uint32_t offset, uint32_t pac
 #define GLINT_SATURATES 0
 #endif
 
-/** floor(x / 2^shift), clamped to 0 and 2^bits - 1; both are constants. */
+/** Computes floor(x / 2^shift), clamped to 0 and 2^bits - 1. Both are constants. */
 static GLINT_INLINE uint32_t glint_saturate(int32_t x, unsigned bits, unsigned shift) {
 #if GLINT_SATURATES
     uint32_t level;
@@ -51,12 +49,12 @@ static GLINT_INLINE uint32_t glint_saturate(int32_t x, unsigned bits, unsigned s
     uint32_t level = (uint32_t)glint_shift_right(x, shift);
     if (level > most) /* one comparison for both ends: most channels are between */
         level = most & ~(uint32_t)glint_shift_right(x, 31);
-    GLINT_OPAQUE(level); /* what follows is not to be there twice */
+    GLINT_OPAQUE(level); /* otherwise the code that follows is there twice */
     return level;
 #endif
 }
 
-/** The level of a channel in levels of so many bits, half a level included. */
+/** Returns the level of a channel that is in levels of so many bits, half a level included. */
 static GLINT_INLINE uint32_t glint_level(int32_t channel, unsigned bits, uint32_t threshold) {
     const int32_t rest = ((int32_t)threshold - GLINT_NEAREST) * (1 << (GLINT_CHANNEL_BITS - 7 - bits));
     return glint_saturate(channel + rest, bits, GLINT_CHANNEL_BITS - bits);
@@ -74,23 +72,23 @@ static inline uint32_t glint_pack_spread_565(uint32_t word, uint32_t threshold) 
     return glint_spread_pack(word);
 }
 
-/** A channel clamped to 0 and 1, Q15; 1 is 2^15 - 1. */
+/** Clamps a channel to 0 and 1, Q15; 1 is 2^15 - 1. */
 static GLINT_INLINE uint32_t glint_clamped(int32_t channel) {
     return glint_saturate(channel, 15, GLINT_CHANNEL_BITS - 15);
 }
 
-/** 0.299 R + 0.587 G + 0.114 B (ITU-R BT.601) of clamped channels that are not scaled: Q18, off by at most 3.3e-5. */
+/** Computes 0.299 R + 0.587 G + 0.114 B (ITU-R BT.601) of clamped channels that are not scaled: Q18, off by at most
+ * 3.3e-5. */
 static inline uint32_t glint_luma(const int32_t colour[3]) {
     return (glint_clamped(colour[0]) * 9798 + glint_clamped(colour[1]) * 19235 + glint_clamped(colour[2]) * 3735) >> 12;
 }
 
-/** The same as one of 0 to `top` levels. */
+/** Returns luma as one of 0 to `top` levels. */
 static inline uint32_t glint_luma_level(const int32_t colour[3], uint32_t top, uint32_t threshold) {
     return (glint_luma(colour) * top + (threshold << 11)) >> 18;
 }
 
-/** The same of a word of spread.h, as a level of so many bits, up to 4; channels count by their weight over what is 1.
- */
+/** Returns the luma of a spread word as a level of up to 4 bits. Channels count by their weight over the word's 1. */
 static GLINT_INLINE uint32_t glint_spread_luma(uint32_t word, unsigned bits, uint32_t threshold) {
     const uint32_t clamped = glint_spread_clamp(word), top = (1u << bits) - 1,
                    red = (uint32_t)glint_least((int32_t)(clamped >> 10 & 0x3ff), 31 << 5),
@@ -101,12 +99,12 @@ static GLINT_INLINE uint32_t glint_spread_luma(uint32_t word, unsigned bits, uin
     return glint_saturate((int32_t)(luma + (threshold << 17)), bits, 24);
 }
 
-/** Threshold of a pixel; tiles start at multiples of 8. */
+/** Returns the threshold of a pixel. Tiles start at multiples of 8. */
 static inline uint32_t glint_threshold(const glint_target *t, uint32_t offset) {
     return t->dithered ? glint_dither_matrix[(offset >> t->shift & 7) * 8 + (offset & 7)] : GLINT_NEAREST;
 }
 
-/** A format's `store_list`. */
+/** Does what `store_list` of a format does. */
 static GLINT_INLINE void glint_store_list(const glint_target *t, const glint_list_pixel *pixel, size_t stride,
                                           uint32_t count, glint_pack_colour pack, glint_put put) {
     for (; count; count--) {
@@ -115,14 +113,14 @@ static GLINT_INLINE void glint_store_list(const glint_target *t, const glint_lis
     }
 }
 
-/** A format's `store_spread`. */
+/** Does what `store_spread` of a format does. */
 static GLINT_INLINE void glint_store_spread(const glint_target *t, const glint_spread *words, const glint_spread *end,
                                             glint_pack_spread pack, glint_put put) {
     for (ptrdiff_t left = end - words; left; left--, words++)
         put(t, words->offset, pack(words->colour, glint_threshold(t, words->offset)));
 }
 
-/* Compilers call it even in freestanding code; here the library does. */
+/* Compilers call this even in freestanding code; here the library does. */
 void *memcpy(void *to, const void *from, size_t size);
 
 /** Copies the first `period` bytes all over the first `size`, which is a power of two times as many. */
@@ -131,12 +129,13 @@ void glint_repeat(void *bytes, size_t period, size_t size);
 /** Fills so many bytes, a multiple of 4, with words. */
 void glint_fill_words(void *bytes, uint32_t word, size_t size);
 
-/** Does it matter which threshold is added to a colour? Levels grow with it. */
+/** Does it matter which threshold is added to a colour? Levels rise with the threshold. */
 static GLINT_INLINE int glint_is_dithered(const glint_target *t, const int32_t colour[3], glint_pack_colour pack) {
     return t->dithered && pack(colour, 1) != pack(colour, 127);
 }
 
-/** A format's `fill`: 8 pixels, repeated along their row, and this row, or 8 where they are dithered, down the tile. */
+/** Does what `fill` of a format does: fills 8 pixels and repeats them along their row, and repeats this row, or 8 where
+ * they are dithered, down the tile. */
 static GLINT_INLINE void glint_fill_tile(const glint_target *t, uint32_t height, const int32_t colour[3], uint32_t bits,
                                          glint_pack_colour pack, glint_put put) {
     const uint32_t rows = glint_is_dithered(t, colour, pack) ? 8 : 1, row_bytes = bits << t->shift >> 3;
@@ -160,7 +159,7 @@ static GLINT_INLINE void glint_fill_tile(const glint_target *t, uint32_t height,
 
 /* ---- Spans of one colour, and of interpolated colours ---- */
 
-/** Adds a threshold, 1/128 level, to a colour's lanes, of a format of so many bits of red and blue, and of green. */
+/** Adds a threshold, 1/128 level, to a colour's lanes, for a format of so many bits of red and blue, and of green. */
 static GLINT_INLINE void glint_add_threshold(glint_lanes *lanes, uint32_t threshold, unsigned red_blue,
                                              unsigned green) {
     if (red_blue)
@@ -177,7 +176,7 @@ static GLINT_INLINE uint32_t glint_pack_lanes(glint_lanes lanes, unsigned red_bl
            lanes.red_blue >> (32 - red_blue);
 }
 
-/** How a format keeps pixels: in 16 bits, of the core's byte order or the other one, or in any way. */
+/** A format keeps pixels in 16 bits of the core's byte order, or of the other one, or in any other way. */
 enum { GLINT_KEEPS_ANY, GLINT_KEEPS_16, GLINT_KEEPS_SWAPPED };
 
 /** Swaps the bytes of a pixel of 16 bits, where the core has the low one first. */
@@ -189,7 +188,7 @@ static GLINT_INLINE uint32_t glint_to_high_first(uint32_t packed) {
 #endif
 }
 
-/** Where the loop over a row is: pixels of 16 bits lie as far from their depth as the first one does. */
+/** The target of the loop over a row. Pixels of 16 bits lie as far from their depth as the first one does. */
 typedef struct glint_row_target {
     glint_target target;
     const uint16_t *ahead;
@@ -210,7 +209,7 @@ static GLINT_INLINE void glint_put_tested(const glint_row_target *to, const uint
         *(uint16_t *)((uintptr_t)place + to->from_depth) = (uint16_t)packed;
 }
 
-/** Draws a span of one colour. Its lanes have no half level where it is dithered. */
+/** Draws a span of one colour. The lanes of a dithered format have no half level. */
 static GLINT_INLINE void glint_draw_flat_span(const glint_row_walk *w, int32_t row, int32_t left, int32_t right,
                                               unsigned red_blue, unsigned green, glint_put put, int keeps,
                                               int is_dithered) {
@@ -223,7 +222,7 @@ static GLINT_INLINE void glint_draw_flat_span(const glint_row_walk *w, int32_t r
     do {
         if (glint_next_is_nearest(&depth, z)) {
             uint32_t packed = flat;
-            GLINT_BARRIER(); /* else what hidden pixels do not need is skipped one by one */
+            GLINT_BARRIER(); /* otherwise the code that hidden pixels do not need is skipped one by one */
             if (is_dithered) {
                 glint_lanes lanes = w->lanes[0];
                 const uint32_t offset = glint_pixel_of(to.ahead, depth);
@@ -266,7 +265,9 @@ static GLINT_INLINE void glint_draw_smooth_span(const glint_row_walk *w, int32_t
     } while (depth != end);
 }
 
-/** The functions of a format, whose names end in `suffix`; `fill_tile` is glint_fill_tile, or its own. */
+/**
+ * Defines the functions of a format, whose names end in `suffix`. `fill_tile` is glint_fill_tile, or the format's own.
+ */
 #define GLINT_DEFINE_STORES(suffix, bits, pack, put, fill_tile, is_dithered)                                    \
     static void store_list_##suffix(void *pixels, unsigned shift, const glint_list_pixel *pixel, size_t stride, \
                                     uint32_t count) {                                                           \
@@ -278,7 +279,7 @@ static GLINT_INLINE void glint_draw_smooth_span(const glint_row_walk *w, int32_t
         fill_tile(&target, height, colour, bits, pack, put);                                                    \
     }
 
-/** Draws the rows of a small triangle of interpolated colours, which are begun once a pixel is visible. */
+/** Draws the rows of a small triangle of interpolated colours. The colours begin once a pixel is visible. */
 static GLINT_INLINE void glint_draw_visible_rows(glint_row_walk *walk, glint_begin_colours *begin,
                                                  glint_draw_span *smooth) {
     glint_row_state at = glint_begin_rows(walk);
@@ -298,7 +299,7 @@ static GLINT_INLINE void glint_draw_visible_rows(glint_row_walk *walk, glint_beg
 #define GLINT_SPAN inline
 #endif
 
-/** The functions that draw small triangles row by row; for size, they are drawn span by span, as others are. */
+/** Defines the functions that draw small triangles row by row. For size, they are drawn span by span, as others are. */
 #if GLINT_SMALL
 #define GLINT_DEFINE_ROWS(suffix)
 #define GLINT_ROWS(suffix) glint_draw_flat, glint_draw_smooth_rows
@@ -319,7 +320,7 @@ static GLINT_INLINE void glint_draw_visible_rows(glint_row_walk *walk, glint_beg
 #define GLINT_ROWS(suffix) flat_##suffix, rows_##suffix
 #endif
 
-/** The functions that draw spans and single pixels of lanes; they name the bits of red and blue, and of green. */
+/** Defines the functions that draw spans and single pixels of lanes, given the bits of red and blue, and of green. */
 #define GLINT_DEFINE_SPANS(suffix, red_blue, green, put_pixel, keeps, is_dithered)                              \
     static GLINT_SPAN void flat_span_##suffix(glint_row_walk *walk, int32_t row, int32_t left, int32_t right) { \
         glint_draw_flat_span(walk, row, left, right, red_blue, green, put_pixel, keeps, is_dithered);           \
@@ -335,7 +336,7 @@ static GLINT_INLINE void glint_draw_visible_rows(glint_row_walk *walk, glint_beg
         put_pixel(&target, offset, glint_pack_lanes(lanes, red_blue, green));                                   \
     }
 
-/** `store_spread` of formats that pack such words. */
+/** Defines `store_spread` of a format that packs such words. */
 #define GLINT_DEFINE_SPREAD(suffix, pack, put, is_dithered)                                    \
     static void store_spread_##suffix(void *pixels, unsigned shift, const glint_spread *words, \
                                       const glint_spread *end) {                               \
@@ -343,17 +344,18 @@ static GLINT_INLINE void glint_draw_visible_rows(glint_row_walk *walk, glint_beg
         glint_store_spread(&target, words, end, pack, put);                                    \
     }
 
-/** GLINT_FORMAT's `edge`: of formats whose pixels of a row share bytes, and of those where pixels of a column do. */
+/** These are GLINT_FORMAT's `edge`: the first where pixels of a row share bytes, the second where pixels of a column
+ * do. */
 #define GLINT_ROW_EDGE(bits) \
     { (bits) == 1 ? 7 : (bits) % 8 ? 1 : 0, 0 }
 #define GLINT_PAGE_EDGE(bits) \
     { 0, 7 }
 
-/** Words that a format stores: none, or any. */
+/** A format stores no spread words, or any. */
 #define GLINT_SPREAD_NONE(suffix) 0, 0
 #define GLINT_SPREAD_ANY(suffix) store_spread_##suffix, 0
 
-/** A format of so many bits a pixel, and of its channels, or 0 for luma. */
+/** Describes a format of so many bits a pixel and a channel; channels have 0 bits for luma. */
 #define GLINT_FORMAT(suffix, bits, edge, red, green, blue, spread, is_dithered)                                    \
     {                                                                                                              \
         bits, {red, green, blue}, edge(bits), is_dithered, store_list_##suffix, fill_##suffix, GLINT_ROWS(suffix), \

@@ -6,24 +6,27 @@
 #include "../math/division.h"
 #include "triangle.h"
 
-/* Narrow triangles: most bits of a side, and by how many it may pass the area. */
+/* Sides of a narrow triangle have at most so many bits, and pass the area by at most this many. */
 #define NARROW_SIZE 10
 #define NARROW_SLIVER 4
 
-/* Twice the area, of corners that run counter-clockwise. */
+/* Returns twice the area of corners that run counter-clockwise. */
 static inline int32_t find_area(const glint_gradients *g) {
     return g->y1 * g->x2 - g->y2 * g->x1;
 }
 
-/* A side of at most `size` bits, up to 16, times 1/area. */
+/* Multiplies a side of at most `size` bits, up to 16, by 1/area. */
 static GLINT_NOINLINE int32_t to_30_bits(int32_t side, int32_t reciprocal, int32_t size) {
     return (int32_t)glint_shift_right64((int64_t)glint_shift_left(side, 16 - (unsigned)size) * reciprocal, 17);
 }
 
-/* Sides times 1/area; slender ones' stay whole. A plane's value at a pixel of a wide triangle is then off by at most
- * 2^-18 of the corners' difference, 2^-17 where the triangle is small, and a step for each pixel from the anchor. */
+/*
+ * Multiplies sides by 1/area; those of slender triangles stay whole. A plane's value at a pixel of a wide triangle is
+ * then off by at most 2^-18 of the corners' difference, 2^-17 where the triangle is small, and a step for each pixel
+ * from the anchor.
+ */
 static GLINT_NOINLINE void widen(glint_gradients *g, uint32_t area, uint32_t zeros) {
-    /* 1 / area is this times 2^(zeros - 62) */
+    /* 1 / area is this times 2^(zeros - 62). */
     const int32_t reciprocal = (int32_t)(glint_reciprocal(area << zeros) >> 1);
     int32_t size = (32 - (int32_t)zeros) / 2; /* of the longest side: at least half as many bits as the area */
     while ((g->reach + 1) >> size)
@@ -36,10 +39,10 @@ static GLINT_NOINLINE void widen(glint_gradients *g, uint32_t area, uint32_t zer
 }
 
 /*
- * Narrow triangles, none of them steep, keep whole sides and a 1/area of 16 bits: slopes are sums of products without
- * rounding, times 1/area. A plane's value at a pixel of the triangle is then off by at most 2^-15 of the corners'
- * difference, or of 2^17 if they differ by less; 2^-12 where the area is below a pixel, 2^-10 below 1/32; and a step
- * for each pixel from the anchor.
+ * Begins gradients. Narrow triangles, none of them steep, keep whole sides and a 1/area of 16 bits: slopes are sums of
+ * products without rounding, times 1/area. A plane's value at a pixel of the triangle is then off by at most 2^-15 of
+ * the corners' difference, or of 2^17 if they differ by less; 2^-12 where the area is below a pixel, 2^-10 below 1/32;
+ * and a step for each pixel from the anchor.
  * @return whether the triangle is narrow
  */
 static inline int gradients_begin(glint_gradients *g, uint32_t area, int steep) {
@@ -63,7 +66,7 @@ static inline int32_t high_sum(int32_t d1, int32_t g1, int32_t d2, int32_t g2) {
     return (int32_t)glint_shift_right64((int64_t)d1 * g1 + (int64_t)d2 * g2, 31);
 }
 
-/* A plane from slopes that are 2^-n of its own. */
+/* Sets a plane from slopes that are 2^-n of its own. */
 static inline void finish_plane(glint_plane *p, const glint_gradients *g, int32_t start, int32_t dx, int32_t dy,
                                 int32_t n) {
     const int32_t to_center = glint_shift_right(dx, 5) * g->to_center_x + glint_shift_right(dy, 5) * g->to_center_y;
@@ -78,7 +81,7 @@ static inline void finish_plane(glint_plane *p, const glint_gradients *g, int32_
     }
 }
 
-/* Differences brought to 18 bits and a sign: they were 2^up as much. */
+/* Brings differences to 18 bits and a sign: they were 2^up times as large. */
 static inline void begin_narrow(glint_plane *p, const glint_gradients *g, int32_t start, int32_t d1, int32_t d2) {
     int32_t up = 14 - (int32_t)glint_leading_zeros(glint_magnitude_bits(d1) | glint_magnitude_bits(d2));
     up = up > 0 ? up : 0;
@@ -88,7 +91,7 @@ static inline void begin_narrow(glint_plane *p, const glint_gradients *g, int32_
                  glint_slope_of(d1 * g->y1 + d2 * g->y2, g->reciprocal, 15), up + 3 - g->shift);
 }
 
-/* Of small triangles' differences no bit is lost that they have room for. */
+/* Keeps all bits of small triangles' differences that there is room for. */
 static inline void begin_wide(glint_plane *p, const glint_gradients *g, int32_t start, int32_t d1, int32_t d2) {
     const int32_t down = 16 - g->shift;
     const int32_t room = (int32_t)glint_leading_zeros(glint_magnitude_bits(d1) | glint_magnitude_bits(d2)) - 2;
@@ -98,10 +101,8 @@ static inline void begin_wide(glint_plane *p, const glint_gradients *g, int32_t 
     finish_plane(p, g, start, high_sum(d1, g->x1, d2, g->x2), high_sum(d1, g->y1, d2, g->y2), down - up);
 }
 
-/*
- * Across a slender triangle a plane may change by more than 2^32 from one pixel to the next, along it by next to
- * nothing: whole slopes, of which 32 bits are kept, are off by less than a step for each pixel from the anchor.
- */
+/* Across a slender triangle a plane may change by more than 2^32 from one pixel to the next, along it by next to
+ * nothing. Whole slopes, of which 32 bits are kept, are off by less than a step for each pixel from the anchor. */
 static GLINT_NOINLINE void begin_slender(glint_plane *p, const glint_gradients *g, int32_t start, int32_t d1,
                                          int32_t d2) {
     const int64_t area = find_area(g);
@@ -120,11 +121,11 @@ void glint_plane_begin(glint_plane *p, const glint_gradients *g, int32_t a0, int
         begin_wide(p, g, a0, a1 - a0, a2 - a0);
 }
 
-/* The largest depth, and room that a plane's rounding may take. */
+/* The first is the largest depth, the second the room that a plane's rounding may need. */
 #define TOP GLINT_DEPTH_TOP
 #define ROOM (1 << 21)
 
-/* The depth of parallel rays lies above the top. */
+/* Begins the depth of parallel rays, which lies above the top. */
 static void begin_parallel(glint_part *part, const glint_triangle *t) {
     int32_t depth[3];
     for (int i = 0; i < 3; i++)
@@ -132,7 +133,7 @@ static void begin_parallel(glint_part *part, const glint_triangle *t) {
     glint_plane_begin(&part->depth, &part->gradients, depth[0], depth[1], depth[2]);
 }
 
-/* Lowers a depth plane that rounding takes above the top at a corner, where pixels then would have 32 bits. */
+/* Lowers a depth plane that rounding takes above the top at a corner. Its pixels would have 32 bits there. */
 static GLINT_NOINLINE void keep_below_top(glint_part *part, const glint_triangle *t) {
     const glint_gradients *g = &part->gradients;
     glint_plane *depth = &part->depth;
@@ -149,12 +150,12 @@ static GLINT_NOINLINE void keep_below_top(glint_part *part, const glint_triangle
     }
 }
 
-/* May a plane of two such depths, ORed, pass the top? */
+/* May the plane of two such depths, ORed, pass the top? */
 static inline int comes_near(int32_t either) {
     return glint_add_wrap(either, ROOM) < 0;
 }
 
-/* The first corner's place, the sides and the area. */
+/* Sets the first corner's place, the sides and the area. */
 static inline void begin_sides(glint_part *part, glint_triangle *t) {
     const glint_vertex *a = t->corners[0], *b = t->corners[1], *c = t->corners[2];
     const int32_t x = a->x, y = a->y;
@@ -170,14 +171,14 @@ static inline void begin_sides(glint_part *part, glint_triangle *t) {
     t->area = find_area(g);
 }
 
-/* Does a triangle reach more than 8 to 16 times as far as it begins, as the bits of 1/w have it? What narrow planes are
- * off by is then too much of what is left of 1/w. */
+/* Is the depth ratio of a triangle above 8 to 16, by the bits of 1/w? The errors of narrow planes are then too large a
+ * part of 1/w. */
 static inline int is_steep(int32_t w, int32_t w1, int32_t w2) {
     const int32_t least = glint_shift_right(w | w1 | w2, 4);
     return w < least || w1 < least || w2 < least;
 }
 
-/* Any triangle's depth; built for size, every one's. */
+/* Begins the depth of any triangle; in a library built for size, that of every one. */
 static GLINT_NOINLINE void begin_depth(glint_part *part, const glint_triangle *t) {
     const int32_t w = t->corners[0]->inverse_w, w1 = t->corners[1]->inverse_w, w2 = t->corners[2]->inverse_w;
     glint_plane_begin(&part->depth, &part->gradients, w, w1, w2);

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /**
- * @file small.h
- * From corner words to pixels, for small triangles: those of at most 31 rows, whose corners lie within 64 pixels of the
- * top one in x. Edges, 1/w and rows are one function, which a format makes its own by the loop over a span's pixels.
+ * @file small.h Takes small triangles from corner words to pixels: those of at most 31 rows, whose corners lie within
+ * 64 pixels of the top one in x. Edges, 1/w and rows are one function, which a format specialises by its loop over the
+ * pixels of a span.
  */
 #ifndef GLINT_SMALL_H
 #define GLINT_SMALL_H
@@ -63,7 +63,7 @@ static GLINT_INLINE uint32_t glint_find_words(const glint_row_walk *walk, glint_
 
 /* ---- Sides ---- */
 
-/** Q20: added to a word's x, this makes its whole part the first column at or right of it. */
+/** Q20: with this added to a word's x, the whole part is the first column at or right of x. */
 #define GLINT_SIDE_ORIGIN (INT32_MIN + GLINT_EDGE_CEILING - (GLINT_TO_CENTER << 16))
 
 /** Begins a side of a small triangle that runs down from `upper` to `lower`, so many rows below its first one. */
@@ -76,25 +76,25 @@ static inline glint_side glint_begin_side(glint_corner_word upper, glint_corner_
 
 /* ---- Slopes ---- */
 
-/* Twice the area, 28.4 squared, from which on slopes serve any small triangle, and sides up to which they serve any
- * area: of the others, sides are too long for what the reciprocal of so small an area has of bits. */
+/* From this area on, twice the area in 28.4 squared, slopes serve any small triangle; up to this length of sides they
+ * serve any area. Other sides are too long for the bits that the reciprocal of so small an area has. */
 #define GLINT_SLOPES_AREA (1u << 10)
 #define GLINT_SLOPES_SIDE 64
 
-/* The same of the least triangles, whose weights have no fraction. */
+/* The weights of triangles below this area have no fraction: slopes do not serve them. */
 #define GLINT_LEAST_SLOPES_AREA 8
 
-/** Returns what differences make of two weights. */
+/** Returns the sum of differences by two weights. */
 static inline uint32_t glint_weigh(int32_t d1, int32_t weight1, int32_t d2, int32_t weight2) {
     return (uint32_t)d1 * (uint32_t)weight1 + (uint32_t)d2 * (uint32_t)weight2;
 }
 
-/** The sides of a triangle that begin at its top corner, in sixteenths. */
+/** These are the sides of a triangle that begin at its top corner, in sixteenths. */
 typedef struct glint_sides {
     int32_t dx1, dy1, dx2, dy2;
 } glint_sides;
 
-/** Finds 1/area of a small triangle, for its slopes. @return 0 where they do not serve */
+/** Finds 1/area of a small triangle, for its slopes. @return 0 where slopes do not serve */
 static GLINT_INLINE int glint_find_area(const glint_sides *s, glint_area *to) {
     const uint32_t area = (uint32_t)(s->dy1 * s->dx2 - s->dy2 * s->dx1);
     if (area < GLINT_SLOPES_AREA) {
@@ -125,8 +125,8 @@ static GLINT_INLINE void glint_find_slopes(const glint_corners *k, glint_slopes 
     s->start2 = glint_shift_right(s->x2 * right + s->y2 * below, 4);
 }
 
-/* Returns how 1/w, Q31, changes in a sixteenth of a pixel, modulo 2^32, from a sum of products of differences, Q18, and
- * sides. */
+/* Returns the change of 1/w, Q31, over a sixteenth of a pixel, modulo 2^32, from a sum of products of differences,
+ * Q18, and sides. */
 static inline uint32_t glint_depth_change(int32_t sum, const glint_area *area) {
     const int32_t change = glint_slope_of(sum, area->reciprocal, 15); /* times 2^(19 - zeros) */
     return area->zeros <= 19 ? (uint32_t)glint_shift_right(change, 19 - area->zeros)
@@ -134,9 +134,10 @@ static inline uint32_t glint_depth_change(int32_t sum, const glint_area *area) {
 }
 
 /**
- * The plane of 1/w, Q31, with GLINT_DEPTH_BIAS, from the tile's first pixel on. It is of sums of products without
- * rounding, times 1/area in 16 bits: off by 2^-15 of the corners' difference across the triangle, and by half a step of
- * depth. Changes per pixel are 16 times those of a sixteenth, so that any tile gives a pixel the same value.
+ * Returns the plane of 1/w, Q31, with GLINT_DEPTH_BIAS, from the tile's first pixel on. It consists of sums of products
+ * without rounding, times 1/area in 16 bits: it is off by 2^-15 of the corners' difference across the triangle, and by
+ * half a step of depth. Changes per pixel are 16 times those of a sixteenth, so that any tile gives a pixel the same
+ * value.
  */
 static GLINT_INLINE glint_plane glint_small_depth(glint_corner_word a, const glint_sides *s, const glint_area *area,
                                                   int32_t wa, int32_t wb, int32_t wc) {
@@ -149,20 +150,18 @@ static GLINT_INLINE glint_plane glint_small_depth(glint_corner_word a, const gli
     return (glint_plane){(int32_t)start, (int32_t)(dx << 4), (int32_t)(dy << 4)};
 }
 
-/* The least 1/w, Q31, whose differences may be cut to 17 bits. */
+/* Differences of 1/w, Q31, may be cut to 17 bits from this 1/w on. */
 #define GLINT_LEAST_W (1 << 18)
 
-/**
- * Is the plane of 1/w too steep for slopes? Where 1/w of the corners does not differ by more than a factor of 8 to 16,
- * is not too small, and is none of parallel rays, no rounding takes it below 0 or beyond 2^31.
- */
+/** Is the plane of 1/w too steep for slopes? Where 1/w of the corners does not differ by more than a factor of 8 to 16,
+ * is not too small, and is not that of parallel rays, no rounding takes it below 0 or beyond 2^31. */
 static inline int glint_is_steep(int32_t wa, int32_t wb, int32_t wc) {
     const int32_t least = glint_most(glint_shift_right(wa | wb | wc, 4), GLINT_LEAST_W);
     return ((wa - least) | (wb - least) | (wc - least) | (GLINT_DEPTH_TOP - wa) | (GLINT_DEPTH_TOP - wb) |
             (GLINT_DEPTH_TOP - wc)) < 0;
 }
 
-/** Is a triangle small, of so many rows? */
+/** Is a triangle of so many rows small? */
 static GLINT_INLINE int glint_is_small(const glint_corners *k, int32_t rows) {
     const uint32_t to_b = (uint32_t)(glint_x_of(k->b) - glint_x_of(k->a) + GLINT_EDGE_DX / 2);
     const uint32_t to_c = (uint32_t)(glint_x_of(k->c) - glint_x_of(k->a) + GLINT_EDGE_DX / 2);
@@ -171,10 +170,8 @@ static GLINT_INLINE int glint_is_small(const glint_corners *k, int32_t rows) {
 
 /* ---- Rows ---- */
 
-/**
- * Begins the sides of a small triangle at its first row in the tile: a long one from the top to the lowest corner, and
- * two short ones, of which the second takes the place of the first at the middle corner.
- */
+/** Begins the sides of a small triangle at its first row in the tile: a long one from the top to the lowest corner, and
+ * two short ones. The second short one replaces the first at the middle corner. */
 static inline void glint_begin_sides(glint_corner_word top, glint_corner_word middle, glint_corner_word lowest,
                                      int is_left, glint_small_rows *rows) {
     const int32_t row = rows->row, end = rows->end, turn = glint_row_of(middle), down = row - glint_row_of(top);
@@ -232,7 +229,7 @@ static GLINT_INLINE void glint_find_sides(glint_row_walk *walk) {
         glint_begin_sides(k->a, k->c, k->b, 0, &walk->rows);
 }
 
-/** glint_begin_triangle, within its caller, which is given the corners in order. */
+/** Does what glint_begin_triangle does, within its caller, and returns the corners in order. */
 static GLINT_INLINE glint_begun glint_begin_inline(glint_row_walk *walk, const glint_vertex *v[3]) {
     const glint_begun begun = glint_find_rows(walk, v);
     if (begun != GLINT_IS_SMALL) {
@@ -240,12 +237,12 @@ static GLINT_INLINE glint_begun glint_begin_inline(glint_row_walk *walk, const g
         return begun;
     }
     glint_begin_slopes(walk, v);
-    GLINT_OPAQUE(walk); /* what follows reads what has been stored: else it is kept on the stack */
+    GLINT_OPAQUE(walk); /* what follows reads what has been stored: otherwise it is kept on the stack */
     glint_find_sides(walk);
     return GLINT_IS_SMALL;
 }
 
-/** Where a walk down the rows of a small triangle is. */
+/** The state of a walk down the rows of a small triangle is this. */
 typedef struct glint_row_state {
     glint_side left, right;
     int32_t row, stop;
@@ -302,7 +299,7 @@ static GLINT_INLINE int glint_seek_visible(const glint_row_walk *walk, glint_row
     return 0;
 }
 
-/** Draws the rows of a small triangle from there on, span by span. */
+/** Draws the rows of a small triangle from a state on, span by span. */
 static GLINT_INLINE void glint_draw_rows(glint_row_walk *walk, glint_row_state at, glint_draw_span *draw_span) {
     const int32_t width = walk->part->window.width;
     do {

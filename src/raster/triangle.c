@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Triangle: walks the left and the right side of any triangle down the rows of a tile at once. */
+/* Walks the left and the right side of any triangle down the rows of a tile at once. */
 #include "triangle.h"
 
 #include "small.h"
@@ -15,12 +15,14 @@ void glint_window_begin(glint_window *window, int x, int y, int width, int heigh
 }
 
 /* ---- Any triangle ---- */
-/* A side on its way down, exactly: the first column at or right of it, and rest / divisor of one beyond. */
+/*
+ * An exact side on its way down is at the first column at or right of the side, and rest / divisor of a column beyond.
+ */
 typedef struct exact_side {
     int32_t column, rest, step, step_rest, divisor;
 } exact_side;
 
-/* floor(a / b), b above 0 */
+/* Computes floor(a / b), for b above 0. */
 static int32_t floor_quotient(int32_t a, int32_t b, int32_t *rest) {
     int32_t quotient = a / b;
     *rest = a - quotient * b;

@@ -1,54 +1,52 @@
 /* SPDX-License-Identifier: MIT */
-/**
- * @file triangle.h
- * From three corners on the screen to the rows of a triangle in a tile, and to its attributes as planes. Whatever
- * colours its pixels is a function that draws one span; the walk calls it row by row, from the top.
- */
+/** @file triangle.h Takes three corners on the screen to the rows of a triangle in a tile, and to its attributes as
+ * planes. A function that draws one span colours the pixels; the walk calls it row by row, from the top. */
 #ifndef GLINT_TRIANGLE_H
 #define GLINT_TRIANGLE_H
 
 #include "../geometry/draw.h"
 #include "depth.h"
 
-/** Tile width and height where the configuration says 0. */
+/** Tiles have this width and height where the configuration says 0. */
 #define GLINT_TILE_DEFAULT 32
 
-/** Largest tile width and height. */
+/** Tiles are at most so wide and high. */
 #define GLINT_TILE_MAX 64
 
-/** A linear function of the pixel: value at the anchor, change per pixel in x and y. */
+/** A plane is a linear function of the pixel: its value at the anchor, and its change per pixel in x and y. */
 typedef struct glint_plane {
     int32_t start, dx, dy;
 } glint_plane;
 
 /**
- * How a triangle's planes come from values at its corners. Narrow: the sides across from the second and the third
- * corner, turned by a right angle, in sixteenths, and 1/area = reciprocal 2^-(16 + shift). Wide: these sides times
- * 1/area, the change of the corners' barycentric coordinates per pixel, times 2^shift, 31 bits; reciprocal is 0.
- * Slender, and not narrow: the sides; reciprocal and shift are 0.
+ * Gradients make planes of values at the corners. Of a narrow triangle they are the sides across from the second and
+ * the third corner, rotated by a right angle, in sixteenths, and 1/area = reciprocal 2^-(16 + shift). Of a wide one
+ * they are these sides times 1/area, which is the change of the corners' barycentric coordinates per pixel, times
+ * 2^shift, 31 bits; reciprocal is 0. Of a slender one that is not narrow they are the sides; reciprocal and shift are
+ * 0.
  */
 typedef struct glint_gradients {
     int32_t x1, y1, x2, y2;
     int32_t reciprocal, shift;
-    uint32_t reach; /* no less than the other corners lie from the first in x or y, in sixteenths, less 1 */
+    uint32_t reach; /* distance of the other corners from the first in x or y, in sixteenths, less 1, or more */
     int32_t to_center_x, to_center_y; /* from the first corner to the anchor's centre, in sixteenths */
 } glint_gradients;
 
-/** Pixels of one row of a tile: from column `left` to before `right`, none where they are equal. */
+/** A span is the pixels of one row of a tile from column `left` to before `right`. It is empty where they are equal. */
 typedef struct glint_span {
     uint8_t left, right;
 } glint_span;
 
-/** A tile on the screen: its first pixel's centre in sixteenths, and how much of it the screen shows, in pixels. */
+/** A window is a tile on the screen: the centre of its first pixel in sixteenths, and its visible size in pixels. */
 typedef struct glint_window {
     int32_t left, top, width, height;
     uint32_t origin; /* of corner words */
 } glint_window;
 
-/** Most rows of a triangle that raster walks as a whole. */
+/** A small triangle has at most so many rows. */
 #define GLINT_SHORT_ROWS 31
 
-/** The part of a triangle that lies in one tile. Its anchor is the pixel of the triangle's first corner. */
+/** A part of a triangle lies in one tile. Its anchor is the pixel of the triangle's first corner. */
 typedef struct glint_part {
     glint_window window;
     int32_t x, y;      /* of the tile's first pixel, from the anchor: where planes are evaluated */
@@ -56,53 +54,52 @@ typedef struct glint_part {
     glint_gradients gradients;
 } glint_part;
 
-/** A triangle to draw. */
+/** This is a triangle to draw. */
 typedef struct glint_triangle {
     const glint_vertex *corners[3]; /* counter-clockwise on the screen */
-    const int16_t *extra[3];        /* where the draw has extra attributes */
+    const int16_t *extra[3];        /* null unless the draw has extra attributes */
     uint32_t index;                 /* in its draw */
     int32_t area;                   /* twice its area, 28.4 squared, above 0 */
-    int back;                       /* seen from the back */
-    uint32_t away;                  /* lights that are known not to shine on it, by bits */
+    int back;                       /* whether it is seen from the back */
+    uint32_t away;                  /* lights that do not shine on it, by bits */
 } glint_triangle;
 
-/** A window that shows so many pixels from pixel x, y of the screen on. */
+/** Begins a window that shows so many pixels from pixel x, y of the screen on. */
 void glint_window_begin(glint_window *window, int x, int y, int width, int height);
 
 /* ---- Planes ---- */
 
-/** Gradients, area and depth plane of a triangle, from its corners, counter-clockwise; the rest of the part stays. */
+/**
+ * Sets gradients, area and depth plane of a triangle from its corners, counter-clockwise; the rest of the part stays.
+ */
 void glint_setup(glint_part *part, glint_triangle *triangle);
 
-/**
- * The plane of an attribute that is a0, a1, a2 at the corners; below 2^31 apart. Slivers have slopes above 2^31: those
- * wrap, as their values do.
- */
+/** Begins the plane of an attribute that is a0, a1, a2 at the corners; these are below 2^31 apart. Slivers have slopes
+ * above 2^31, which wrap, as their values do. */
 void glint_plane_begin(glint_plane *plane, const glint_gradients *gradients, int32_t a0, int32_t a1, int32_t a2);
 
-/** Slenderness, below, up to which a triangle's polynomials keep their digits; planes of others take whole slopes. */
+/** Up to this slenderness a triangle's polynomials keep their digits. Planes of others use whole slopes. */
 #define GLINT_SLENDER 7
 
-/** How many bits a triangle's longest side has, twice, beyond those of its area: of an equilateral one at most 2. */
+/** Returns the slenderness: twice the bits of a triangle's longest side, less those of its area. An equilateral one has
+ * at most 2. */
 static inline int32_t glint_slenderness(const glint_gradients *gradients, int32_t area) {
     const int32_t side_bits = 32 - (int32_t)glint_leading_zeros(gradients->reach + 1);
     return 2 * side_bits - 31 + (int32_t)glint_leading_zeros((uint32_t)area);
 }
 
-/** A plane's value at a pixel, x and y from the anchor. */
+/** Returns a plane's value at a pixel, x and y from the anchor. */
 static inline int32_t glint_plane_at(const glint_plane *p, int32_t x, int32_t y) {
     return glint_add_wrap(p->start, glint_add_wrap(glint_multiply_wrap(p->dx, x), glint_multiply_wrap(p->dy, y)));
 }
 
-/** The shift that brings the largest 1/w of the corners, none 0, to 2^30 .. 2^31. */
+/** Returns the shift that brings the largest 1/w of the corners, none of them 0, to 2^30 .. 2^31. */
 static inline unsigned glint_find_room(const glint_vertex *const v[3]) {
     return glint_leading_zeros((uint32_t)(v[0]->inverse_w | v[1]->inverse_w | v[2]->inverse_w)) - 1;
 }
 
-/**
- * May rounding take the plane of 1/w below 0: by 2^-10 of the corners' difference and some pixels' steps? It is asked
- * for some times that.
- */
+/** May rounding take the plane of 1/w below 0? It is off by 2^-10 of the corners' difference and some pixels' steps;
+ * the test uses some times that. */
 static inline int glint_is_deep(const glint_triangle *triangle) {
     const int32_t a = triangle->corners[0]->inverse_w, b = triangle->corners[1]->inverse_w,
                   c = triangle->corners[2]->inverse_w;
@@ -113,19 +110,19 @@ static inline int glint_is_deep(const glint_triangle *triangle) {
 /* ---- Rows ---- */
 
 /**
- * A corner as one word, 2^16 y + 2^15 + x in sixteenths of a pixel, 15 more than from the centre of the tile's first
- * pixel: the whole part of y is then the first row of centres at or below the corner, and that of x the first column.
- * The 2^15 keeps an x left of the tile from borrowing from y.
+ * A corner is one word, 2^16 y + 2^15 + x in sixteenths of a pixel, 15 more than from the centre of the tile's first
+ * pixel. So the whole part of y is the first row of centres at or below the corner, and that of x the first column. The
+ * 2^15 keeps an x left of the tile from borrowing from y.
  */
 typedef int32_t glint_corner_word;
 
-/** 1/area = reciprocal 2^(zeros - 47) of a small triangle, area being twice that in 28.4 squared. */
+/** 1/area of a small triangle is reciprocal 2^(zeros - 47). Here area is twice the triangle's in 28.4 squared. */
 typedef struct glint_area {
     int32_t reciprocal;
     uint32_t zeros;
 } glint_area;
 
-/** A triangle's corners, counter-clockwise from the top one on: their words. */
+/** These are the words of a triangle's corners, counter-clockwise from the top one on. */
 typedef struct glint_corners {
     glint_corner_word a, b, c;
     uint32_t top;    /* which of the triangle's corners is the top one: 0, 1 or 2 */
@@ -133,26 +130,24 @@ typedef struct glint_corners {
 } glint_corners;
 
 /**
- * How an attribute of a small triangle changes per pixel, from its differences d1 and d2 between the second and the
- * first corner, and between the third and the first: (d1 x1 + d2 x2) 2^-14 in x, the same of y1 and y2 in y; and by how
- * much it differs from the first corner at the centre of the pixel at or after that: the same of start1 and start2. All
- * are modulo 2^32, so that sums are right at the pixels of slivers too, where they fit. Off by half a step of 2^-14 of
- * a difference a pixel.
+ * Slopes give the change of an attribute of a small triangle per pixel. With d1 the difference between the second and
+ * the first corner, and d2 that between the third and the first, it is (d1 x1 + d2 x2) 2^-14 in x, and likewise of y1
+ * and y2 in y. Likewise start1 and start2 give the difference to the first corner at the centre of the pixel at or
+ * after this corner. All are modulo 2^32, so that sums are right at the pixels of slivers too, where they fit. They are
+ * off by half a step of 2^-14 of a difference a pixel.
  */
 typedef struct glint_slopes {
     int32_t x1, y1, x2, y2, start1, start2;
     int32_t column, row; /* that pixel, in the tile */
 } glint_slopes;
 
-/** A side on its way down: the column where it crosses a row, Q20, and its change from row to row. */
+/** A side on its way down has the column where it crosses a row, Q20, and its change from row to row. */
 typedef struct glint_side {
     int32_t x, slope;
 } glint_side;
 
-/**
- * The rows of a small triangle that are not drawn yet: from `row` to before `stop` between two sides, and from there to
- * before `end` with another one, which begins at that corner.
- */
+/** These rows of a small triangle are not drawn yet: from `row` to before `stop` between two sides, and from there to
+ * before `end` with another one, which begins at that corner. */
 typedef struct glint_small_rows {
     glint_side left, right; /* at `row` */
     int32_t row, stop, end; /* of the tile; `row` is before `stop` */
@@ -160,39 +155,39 @@ typedef struct glint_small_rows {
     int is_left;            /* and whether it takes the place of the left one */
 } glint_small_rows;
 
-/** glint_row_walk.has_slopes, until glint_begin_depth has run. */
+/** glint_row_walk.has_slopes is this until glint_begin_depth has run. */
 #define GLINT_SLOPES_UNKNOWN 2
 
-/** A triangle on its way through a tile: what the functions that draw its spans know. */
+/** A walk takes a triangle through a tile. It holds what the functions that draw spans need. */
 typedef struct glint_row_walk {
-    /* Of the tile */
+    /* These belong to the tile. */
     const glint_frame *frame;
     glint_workspace *workspace;
     glint_part *part; /* its window; depth and gradients of the triangle where glint_setup has run */
     uint16_t *depth;
     void *pixels;
-    uintptr_t from_depth; /* to pixels of 16 bits, from where a loop over them points to (glint_ahead) */
+    uintptr_t from_depth; /* offset to pixels of 16 bits, from the position of a loop over depth (glint_ahead) */
     uint32_t shift;       /* binary logarithm of the tile's width */
-    uint8_t colour_bits;  /* of colours at corners that are linear on the screen, or 0: all are divided */
-    uint8_t is_exacting;  /* the format has little room for what such colours are rounded by */
-    /* Of the triangle */
+    uint8_t colour_bits;  /* bits of colours at corners that are linear on the screen, or 0: all are divided */
+    uint8_t is_exacting;  /* whether the format has little room for the rounding of such colours */
+    /* These belong to the triangle. */
     const glint_draw *draw;
     glint_draw_span *draw_span; /* of glint_walk_triangle */
     glint_triangle triangle;    /* its corners, counter-clockwise on the screen */
-    glint_corners corners;      /* the same, from the top one on; of glint_begin_triangle */
+    glint_corners corners;      /* the same from the top one on, set by glint_begin_triangle */
     glint_small_rows rows;      /* of a small triangle */
-    glint_slopes slopes;        /* where has_slopes, of glint_begin_depth */
-    uint8_t has_slopes;         /* slopes serve it, and z is known; else gradients do, once glint_begin_depth ran */
-    uint8_t is_deep;            /* rounding may take the plane of 1/w below 0 */
+    glint_slopes slopes;        /* valid where has_slopes, set by glint_begin_depth */
+    uint8_t has_slopes; /* whether slopes serve it, and z is valid; else gradients do, once glint_begin_depth has run */
+    uint8_t is_deep;    /* whether rounding may take the plane of 1/w below 0 */
     const glint_vertex *from_top[3]; /* its corners in the order of `corners` */
-    /* Of its pixels: from the tile's first pixel on, and changes per pixel in x and y */
+    /* These belong to its pixels: values at the tile's first pixel, and changes per pixel in x and y. */
     glint_plane z;             /* 1/w, Q31, with GLINT_DEPTH_BIAS */
     uint32_t packed;           /* the pixel of a flat colour */
-    glint_lanes lanes[3];      /* a colour; a flat one has the first alone */
+    glint_lanes lanes[3];      /* a colour; a flat one uses the first alone */
     glint_plane w, channel[3]; /* of colours that are divided: light/draw.c; of normals: light/lamps.c */
     struct glint_lamp_list *list;
     struct glint_sun_triangle *suns;
-    const glint_draw *lit; /* the draw whose lights stand in the workspace, or null */
+    const glint_draw *lit; /* the draw whose lights are in the workspace, or null */
 } glint_row_walk;
 
 /** Begins with the triangles of a tile, the part's window. */
@@ -208,10 +203,10 @@ static inline void glint_walk_begin_tile(glint_row_walk *walk, const glint_frame
     walk->lit = 0;
 }
 
-/** A triangle has no rows in the tile, it is small, or it is large. */
+/** A triangle has no rows in the tile, or it is small, or it is large. */
 typedef enum glint_begun { GLINT_NO_ROWS, GLINT_IS_SMALL, GLINT_IS_LARGE } glint_begun;
 
-/** Begins a triangle: finds its corners, of a small one the sides, and where slopes serve it, area and plane of 1/w. */
+/** Begins a triangle: finds its corners, the sides of a small one, and where slopes serve it, area and plane of 1/w. */
 glint_begun glint_begin_triangle(glint_row_walk *walk);
 
 /** Moves on to the first row of a small triangle that has a visible pixel. @return 0 where there is none */
@@ -242,7 +237,7 @@ void glint_begin_depth(glint_row_walk *walk);
  */
 void glint_walk_triangle(glint_row_walk *walk);
 
-/** The same of one that has been begun. */
+/** Walks the rows of a triangle that has been begun. */
 void glint_walk_begun(glint_row_walk *walk, glint_begun begun);
 
 #endif

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Helpers that fill a scene in: poses, cameras, materials and lights; and where a camera sees a point. */
+/* These helpers fill a scene in: poses, cameras, materials and lights. One finds where a camera sees a point. */
 #include "view.h"
 
 /* ---- Poses ---- */
@@ -29,7 +29,7 @@ glint_pose glint_pose_translate(glint_q16 x, glint_q16 y, glint_q16 z) {
     return pose;
 }
 
-/* A turn in the plane of two axes, from the first towards the second. */
+/* Returns a rotation in the plane of two axes, from the first towards the second. */
 static glint_pose rotate_in_plane(int from, int to, glint_q16 degrees) {
     glint_pose pose = glint_pose_identity();
     pose.m[from][from] = pose.m[to][to] = glint_cos(degrees);
@@ -54,7 +54,7 @@ static glint_q16 saturate(int64_t x) {
     return x > INT32_MAX ? INT32_MAX : x < INT32_MIN ? INT32_MIN : (glint_q16)x;
 }
 
-/* 2^-14 in Q32: a rotation rounded to Q16.16 is within half of it. */
+/* This is 2^-14 in Q32. A rotation rounded to Q16.16 is within half of it. */
 #define ROTATION_TOLERANCE (1 << 18)
 
 /*
@@ -77,7 +77,7 @@ static unsigned find_axes(const glint_pose *pose, int32_t axes[3][3]) {
     return is_rotation ? 14 : 0;
 }
 
-/* Without exact axes, a rotation's rounding to Q16.16 would shrink a pose that is turned every frame by 2^-19 each. */
+/* Without exact axes, a rotation's rounding to Q16.16 would shrink a pose that turns every frame by 2^-19 a frame. */
 glint_pose glint_pose_then(const glint_pose *first, const glint_pose *second) {
     glint_pose pose;
     int32_t inner[3][3], outer[3][3];
@@ -95,7 +95,7 @@ glint_pose glint_pose_then(const glint_pose *first, const glint_pose *second) {
     return pose;
 }
 
-/* Scales (x, y, z), from any int64 of up to 62 bits, to 30 bits. @return its length, rounded down; 0 when it is 0 */
+/* Scales (x, y, z), of int64 with up to 62 bits, to 30 bits. @return its length, rounded down; 0 when it is 0 */
 static int64_t to_thirty_bits(const int64_t in[3], int64_t v[3]) {
     uint64_t bits = glint_magnitude64(in[0]) | glint_magnitude64(in[1]) | glint_magnitude64(in[2]);
     uint64_t square = 0;
@@ -113,7 +113,7 @@ static int64_t to_thirty_bits(const int64_t in[3], int64_t v[3]) {
     return (int64_t)root;
 }
 
-/* (x, y, z) at length 1 in Q16.16; 0 when it is 0. */
+/* Brings (x, y, z) to length 1 in Q16.16. @return 0 when its length is 0 */
 static int normalise(const int64_t in[3], glint_q16 out[3]) {
     int64_t v[3];
     const int64_t length = to_thirty_bits(in, v);
@@ -122,8 +122,8 @@ static int normalise(const int64_t in[3], glint_q16 out[3]) {
     return length != 0;
 }
 
-/* R = c I + (1 - c) u u^T + s [u]x (Rodrigues, 1840). Entries are off by at most 0.6 steps of Q16.16 (suite `camera`).
- */
+/* Finds R = c I + (1 - c) u u^T + s [u]x (Rodrigues, 1840). Entries are off by at most 0.6 steps of Q16.16 (suite
+ * `camera`). */
 glint_pose glint_pose_rotate(glint_vector axis, glint_q16 degrees) {
     const int64_t along[3] = {axis.x, axis.y, axis.z};
     const uint32_t phase = glint_phase(degrees);
@@ -147,7 +147,8 @@ glint_pose glint_pose_rotate(glint_vector axis, glint_q16 degrees) {
     return pose;
 }
 
-/* Of a quaternion of any length (Hamilton, 1844). Entries are off by at most 0.51 steps of Q16.16 (suite `camera`). */
+/* Converts a quaternion of any length (Hamilton, 1844). Entries are off by at most 0.51 steps of Q16.16 (suite
+ * `camera`). */
 glint_pose glint_pose_quaternion(glint_q16 x, glint_q16 y, glint_q16 z, glint_q16 w) {
     const glint_q16 in[4] = {x, y, z, w};
     uint64_t bits = 0, square = 0;
@@ -190,7 +191,7 @@ glint_camera glint_camera_default(void) {
     return camera;
 }
 
-/* a x b, for |a|, |b| below 2^31. */
+/* Computes a x b, for |a| and |b| below 2^31. */
 static void cross(const glint_q16 a[3], const int64_t b[3], int64_t out[3]) {
     for (int i = 0; i < 3; i++) {
         int j = (i + 1) % 3, k = (i + 2) % 3;
@@ -249,16 +250,14 @@ glint_material glint_material_paint(const glint_shading_model *model, glint_colo
 
 /* ---- Lights ---- */
 
-/* What a lamp is weakened by at its range: 126 = 1 + 125, of which light is half a step of green's 63. */
+/* At its range a lamp is divided by 126 = 1 + 125, which leaves half a step of green's 63 of full light. */
 #define WEAKENED 125
 
-/* Where the quadratic coefficient would be beyond Q16.16: 1/16. */
+/* Below a range of 1/16 the quadratic coefficient would pass Q16.16. */
 #define RANGE_LEAST (GLINT_ONE / 16)
 
-/*
- * Sets attenuation so that linear range + quadratic range^2 is WEAKENED. What the quadratic coefficient loses by its 16
- * bits of fraction, all beyond a range of 2862, is the linear one's.
- */
+/* Sets attenuation so that linear range + quadratic range^2 is WEAKENED. The linear coefficient takes over what the
+ * quadratic one loses by its 16 bits of fraction: all of it beyond a range of 2862. */
 static void set_attenuation(glint_light *light, glint_q16 range) {
     if (range < RANGE_LEAST) {
         light->quadratic = -1; /* GLINT_ERROR_ATTENUATION */
@@ -327,7 +326,7 @@ void glint_find_sight(const glint_camera *camera, glint_vector point, int64_t si
     }
 }
 
-/* Half the size + focal length x / distance, Q16 and saturated; a distance of 30 bits at most. */
+/* Computes half the size + focal length x / distance, Q16 and saturated. The distance has at most 30 bits. */
 static glint_q16 place_on_screen(int64_t x, int64_t distance, int64_t focal, int32_t size) {
     const int shift =
         32 + (int)glint_bits64((uint64_t)distance) - (int)glint_bits64(glint_magnitude64(x)); /* ratio: 33 bits */

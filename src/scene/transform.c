@@ -2,7 +2,7 @@
 /* Brings an object's pose under the camera, and checks ranges once so that no vertex can overflow. */
 #include "view.h"
 
-/* Coordinates are rounded to a step or two: this keeps w above 0. */
+/* Coordinates are rounded to a step or two. This keeps w above 0. */
 #define SMALLEST_W 16
 
 int64_t glint_shift_round64(int64_t x, int shift) {
@@ -11,7 +11,7 @@ int64_t glint_shift_round64(int64_t x, int shift) {
 
 /* ---- Poses ---- */
 
-/* Three rows of three, the largest number brought to 30 bits. */
+/* Brings three rows of three to 30 bits, by their largest number. */
 static void rows_to_30_bits(int64_t x[3][3], int32_t out[3][3]) {
     uint64_t bits = 0;
     for (int i = 0; i < 3; i++)
@@ -23,7 +23,7 @@ static void rows_to_30_bits(int64_t x[3][3], int32_t out[3][3]) {
             out[i][j] = (int32_t)glint_shift_round64(x[i][j], shift);
 }
 
-/* Cofactors of three columns, brought to 30 bits by way of `wide`. @return the determinant on their scale */
+/* Finds the cofactors of three columns, brought to 30 bits by way of `wide`. @return the determinant on their scale */
 static int64_t find_cofactors(int32_t p[3][3], int64_t wide[3][3], int32_t cofactor[3][3]) {
     static const uint8_t next[3] = {1, 2, 0};
     int64_t determinant = 0;
@@ -40,7 +40,7 @@ static int64_t find_cofactors(int32_t p[3][3], int64_t wide[3][3], int32_t cofac
     return determinant;
 }
 
-/* Finds a pose's cofactors, of 30 bits. @return its determinant, or 0 where it is singular: of orthogonal axes 2^60 */
+/* Finds a pose's cofactors, of 30 bits. @return its determinant, 2^60 of orthogonal axes, or 0 where it is singular */
 static int64_t find_pose_cofactors(const glint_pose *pose, int64_t wide[3][3], int32_t cofactor[3][3]) {
     int32_t p[3][3];
     for (int i = 0; i < 3; i++)
@@ -51,10 +51,11 @@ static int64_t find_pose_cofactors(const glint_pose *pose, int64_t wide[3][3], i
     return glint_magnitude64(determinant) < (uint64_t)1 << 36 ? 0 : determinant;
 }
 
-/* Determinants of so much, of orthogonal axes of 14 bits about 2^28, are known by their sign. */
+/* The sign of a determinant above this is certain. The determinant of orthogonal axes of 14 bits is about 2^28. */
 #define CERTAIN (1 << 19)
 
-/* The sign of the determinant of a pose that has 28 bits, or 0 where it is singular: from 14 bits, where they tell. */
+/* Finds the sign of a pose's determinant, or 0 where it is singular. `p` is the pose in 28 bits, of which 14 suffice
+ * mostly. */
 static int find_sign(const glint_pose *pose, int32_t p[3][3]) {
     int64_t wide[3][3];
     int32_t q[3][3], cofactor[3][3], sum = 0;
@@ -71,10 +72,8 @@ static int find_sign(const glint_pose *pose, int32_t p[3][3]) {
     return determinant > 0 ? 1 : determinant < 0 ? -1 : 0;
 }
 
-/*
- * The matrix of normals so scaled that a turn keeps lengths: with rows of about 2^13 UNIT if all three are as long.
- * The squares of all entries then sum up to at most 3 2^56, so that a transformed normal is below 3 2^28.
- */
+/* Scales the matrix of normals so that a rotation keeps lengths: three rows of one length are about 2^13 UNIT long.
+ * The squares of all entries then sum up to at most 3 2^56, so that a transformed normal is below 3 2^28. */
 static void scale_normals(glint_transform *transform, int32_t matrix[3][3]) {
     uint64_t sum = 0; /* below 9 2^60 */
     for (int i = 0; i < 3; i++) {
@@ -93,7 +92,7 @@ static void scale_normals(glint_transform *transform, int32_t matrix[3][3]) {
                           (int32_t)glint_shift_round64(glint_product(matrix[i][j], factor), 17));
 }
 
-/* The inverse transpose up to its scale: cofactors, with the determinant's sign. */
+/* The inverse transpose is, up to its scale, the cofactors with the sign of the determinant. */
 void glint_transform_begin_normals(glint_transform *transform, const glint_view *view, const glint_pose *pose) {
     int64_t wide[3][3];
     int32_t cofactor[3][3];
@@ -112,10 +111,10 @@ void glint_transform_begin_normals(glint_transform *transform, const glint_view 
 
 /* ---- Places ---- */
 
-/* Bits of what the camera's rotation turns (glint_turn). */
+/* The camera's rotation is applied to numbers of so many bits (glint_turn). */
 #define TURNED_BITS 28
 
-/* Brings numbers to 2^n times what they are, rounded down. */
+/* Multiplies numbers by 2^n, rounded down. */
 static void scale_all(int32_t *x, int count, int32_t n) {
     int32_t *const end = x + count;
     if (n >= 0)
@@ -126,7 +125,7 @@ static void scale_all(int32_t *x, int count, int32_t n) {
             *x = glint_shift_right(*x, down);
 }
 
-/* Returns x 2^-n to the nearest, halves up. */
+/* Returns x 2^-n rounded to nearest, halves up. */
 static inline int32_t round_by(int32_t x, int32_t n) {
     if (n <= 0)
         return glint_shift_left(x, (unsigned)-n);
@@ -141,10 +140,8 @@ static inline uint32_t magnitude(int32_t x) {
     return x < 0 ? 0u - (uint32_t)x : (uint32_t)x;
 }
 
-/*
- * The way from the eye to the mesh's origin, brought to TURNED_BITS: it was 2^*exponent units. @return 0 where it has
- * 2^17 units or more in a direction
- */
+/* Finds the vector from the eye to the mesh's origin, brought to TURNED_BITS: it was 2^*exponent units. @return 0
+ * where the vector has 2^17 units or more in a direction */
 static int find_way(const glint_view *view, const glint_object *object, int32_t way[3], int32_t *exponent) {
     const int32_t offset[3] = {object->mesh->offset.x, object->mesh->offset.y, object->mesh->offset.z};
     const int is_offset = (offset[0] | offset[1] | offset[2]) != 0;
@@ -177,13 +174,14 @@ static GLINT_NOINLINE int is_in_range(const glint_object *object) {
     return 1;
 }
 
-/* An object in the camera's space: columns of 2^15 steps and the way, times 2^ their exponents units; below 2^30. */
+/* An object in camera space: columns of 2^15 steps and the vector to its origin are below 2^30, and 2^ their exponents
+ * units. */
 typedef struct placed {
     int32_t columns[3][3], way[3];
     int32_t exponent, way_exponent;
 } placed;
 
-/* Places a pose under the camera. `turned` is the pose's rotation in TURNED_BITS, 2^-down of it. */
+/* Brings a pose under the camera. `turned` is the pose's rotation in TURNED_BITS, 2^-down of it. */
 static glint_status place(const glint_view *view, const glint_object *object, int32_t turned[3][3], int32_t down,
                           placed *to) {
     const int32_t extent[3] = {object->mesh->extent.x, object->mesh->extent.y, object->mesh->extent.z};
@@ -205,7 +203,7 @@ static glint_status place(const glint_view *view, const glint_object *object, in
     return GLINT_OK;
 }
 
-/* The bits of the largest magnitude that a row has in the bounding box, and half of that more. */
+/* Returns the bits of one and a half times the largest magnitude that a row has in the bounding box. */
 static inline int32_t find_bits(uint32_t columns, uint32_t way) {
     return bits_of(columns + columns / 2 + way + way / 2);
 }
@@ -216,7 +214,7 @@ static inline int32_t find_bits(uint32_t columns, uint32_t way) {
  */
 static void bring_to_clip_space(glint_transform *transform, const glint_view *view, placed *p) {
     const int32_t more = 25 - (int32_t)view->focal_shift;              /* rows x and y are over 2^more */
-    const int32_t exponent = glint_most(p->exponent, p->way_exponent); /* of both in sums */
+    const int32_t exponent = glint_most(p->exponent, p->way_exponent); /* the exponent of both in sums */
     const unsigned down = (unsigned)glint_least(exponent - p->exponent, 31),
                    way_down = (unsigned)glint_least(exponent - p->way_exponent, 31);
     const int32_t focal = view->focal_mantissa << 7;
@@ -246,10 +244,8 @@ static void bring_to_clip_space(glint_transform *transform, const glint_view *vi
     transform->exponent = 30 - bits - exponent;
 }
 
-/*
- * Smallest value of a x + b w over the box, of which this is row x and row w of the matrix, the translation last;
- * modulo 2^32, and it fits.
- */
+/* Finds the smallest value of a x + b w over the box, given row x and row w of the matrix with the translation last.
+ * Sums are modulo 2^32, and the result fits. */
 static int32_t smallest(const int32_t x[4], const int32_t w[4], int32_t a, int32_t b) {
     int32_t value = glint_add_wrap(glint_multiply_wrap(a, x[3]), glint_multiply_wrap(b, w[3]));
     for (int j = 0; j < 3; j++) {
@@ -259,7 +255,7 @@ static int32_t smallest(const int32_t x[4], const int32_t w[4], int32_t a, int32
     return value;
 }
 
-/* Bits that the matrix is cut by: row sums are below 2.67 2^17 times 2046 + 1025. */
+/* Matrices lose so many bits here: row sums are then below 2.67 2^17 times 2046 + 1025. */
 #define BOX_CUT 11
 
 static void cut_row(const glint_transform *transform, int i, int32_t cut[4]) {
@@ -268,8 +264,8 @@ static void cut_row(const glint_transform *transform, int i, int32_t cut[4]) {
     cut[3] = glint_shift_right(transform->translation[i], BOX_CUT);
 }
 
-/* Is any of the box on the screen in a direction, and does any of it pass the guard band? To within what cutting
- * takes at most, a step of each of four columns of both rows. */
+/* Tests in one direction whether any of the box is on the screen, and whether any passes the guard band. Both are
+ * tested to within the error of cutting, at most a step of each of four columns of both rows. */
 static GLINT_NOINLINE void classify_row(glint_transform *transform, int i, int32_t side) {
     const int32_t band = 2 * GLINT_GUARD_BAND;
     int32_t x[4], w[4] = {0, 0, 0, 0};
@@ -286,16 +282,14 @@ static GLINT_NOINLINE void classify_row(glint_transform *transform, int i, int32
     }
 }
 
-/* The box's extent in a row. */
+/* Returns half the extent of the box in a row. */
 static inline int32_t extent_of(const glint_row *row) {
     const int32_t x = glint_row_get(row, 0), y = glint_row_get(row, 1), z = glint_row_get(row, 2);
     return (x < 0 ? -x : x) + (y < 0 ? -y : y) + (z < 0 ? -z : z);
 }
 
-/*
- * Is any of the box on the screen, and does any of it pass the near plane or the guard band? Where its middle is on the
- * screen, and all of it far from the band, nothing more is asked.
- */
+/* Tests whether any of the box is on the screen, and whether any passes the near plane or the guard band. A box whose
+ * middle is on the screen and that lies far from the band needs no further test. */
 static void classify(glint_transform *transform, const glint_config *config, int is_parallel) {
     const int32_t extent = extent_of(&transform->matrix[2]);
     int32_t w = transform->translation[2], least = w - extent;
@@ -316,12 +310,12 @@ static void classify(glint_transform *transform, const glint_config *config, int
     }
 }
 
-/* A w, Q28, in units of 2^shift; 2^30, which is farther than any coordinate, where it is more. */
+/* Converts a w, Q28, to units of 2^shift. Above 2^30, which is farther than any coordinate, it returns 2^30. */
 static int32_t to_units(int64_t w, int shift) {
     return (int)glint_bits64((uint64_t)w) - shift > 30 ? 1 << 30 : (int32_t)glint_shift_round64(w, shift);
 }
 
-/* Magnitudes of three entries and a translation. */
+/* Sums up the magnitudes of three entries and a translation. */
 static uint32_t row_sum(const glint_row *row, int32_t t) {
     uint32_t sum = (uint32_t)(t < 0 ? -t : t);
     for (int j = 0; j < 3; j++) {
@@ -338,14 +332,14 @@ static void set_short_row(const glint_row *row, int32_t t, unsigned up, int32_t 
     out[3] = glint_shift_left(t, up);
 }
 
-/* Takes 2^-10 off a row, since the guard band is 1023 pixels, this in 1024. */
+/* Takes 2^-10 off a row, since the guard band is 1023 pixels wide and not 1024. */
 static void to_pixels(int32_t row[4]) {
     for (int j = 0; j < 3; j++)
         row[j] -= glint_shift_right(row[j] + (1 << 9), 10);
-    row[3] += (1 << 15) - glint_shift_right(row[3], 10); /* and half of what is cut off */
+    row[3] += (1 << 15) - glint_shift_right(row[3], 10); /* this includes half of what is cut off */
 }
 
-/* Sets the short matrix, where it serves. */
+/* Sets the short matrix, where it serves the object. */
 static void set_short_matrix(glint_transform *transform) {
     glint_short_matrix *m = &transform->brief;
     const uint32_t x = row_sum(&transform->matrix[0], transform->translation[0]);
@@ -381,16 +375,16 @@ int64_t glint_transform_nearest(const glint_transform *transform, const glint_vi
     return nearest > view->near_plane ? nearest : view->near_plane;
 }
 
-/* Rounded to the object's units, the frame's nearest w must not pass any that is seen. */
+/* The frame's nearest w, rounded to the object's units, must not pass any w that is visible. */
 void glint_transform_place(glint_transform *transform, const glint_view *view) {
-    if (transform->clips & GLINT_PARALLEL) /* then it does not depend on what else is seen */
+    if (transform->clips & GLINT_PARALLEL) /* the nearest w does not depend on other objects then */
         return;
     transform->nearest = glint_least(to_units(view->nearest, 28 - transform->exponent),
                                      glint_most(transform->least_w, transform->near_plane));
     set_short_matrix(transform);
 }
 
-/* What is hidden is all 0. Out of line: in line, gcc 12 keeps a 0 in a register of the FPU. */
+/* A hidden object is all 0. This is out of line since gcc 12 keeps a 0 in a register of the FPU otherwise. */
 static GLINT_NOINLINE glint_status prepare_object(glint_transform *transform, const glint_view *view,
                                                   const glint_config *config, const glint_object *object) {
     int32_t turned[3][3];
@@ -437,10 +431,11 @@ glint_status glint_transform_prepare(glint_transform *transform, const glint_vie
 
 /* ---- The eye ---- */
 
-/* Numbers of so many bits, once the largest is brought to 20, are off by at most 1 from how cofactors are rounded. */
+/* Once the largest is brought to 20 bits, numbers that had this many are off by at most 1 by the rounding of
+ * cofactors. */
 #define LEAST_BITS 51
 
-/* |(x, y, z)| of 20 bits, or up to 2^-9 of it and 128 more: from the product with its unit vector. */
+/* Returns |(x, y, z)| of 20 bits, too large by at most 2^-9 of it and 128. It is the product with the unit vector. */
 static int32_t find_length(int32_t x, int32_t y, int32_t z) {
     int16_t unit[3];
     glint_unit(x, y, z, unit);
@@ -449,8 +444,8 @@ static int32_t find_length(int32_t x, int32_t y, int32_t z) {
     return glint_shift_right(length, 9) + glint_shift_right(length, 19) + 128;
 }
 
-/* Brings a place and its weight to as many bits as there are in an eye; where rounding leaves too few of it, to one
- * that no triangle faces away from. */
+/* Brings a place and its weight to the bits of an eye. Where rounding leaves too few digits, sets an eye that no
+ * triangle faces away from. */
 static void set_eye(const int64_t place[3], int64_t weight, glint_eye *to) {
     uint64_t bits = glint_magnitude64(weight);
     for (int i = 0; i < 3; i++)
@@ -463,13 +458,13 @@ static void set_eye(const int64_t place[3], int64_t weight, glint_eye *to) {
     to->y = (int32_t)glint_shift_right64(place[1], size - 20);
     to->z = (int32_t)glint_shift_right64(place[2], size - 20);
     to->distance = find_length(to->x, to->y, to->z);
-    to->weight = weight > 0 ? (int32_t)(weight >> (size - 13)) : 0; /* rounding alone takes it below */
+    to->weight = weight > 0 ? (int32_t)(weight >> (size - 13)) : 0; /* only rounding takes the weight below 0 */
 }
 
 /*
- * With the matrix of steps A and the translation t, the eye is where A e + 2^15 t = 0: at e = 2^15 E / W, where
- * E = -C^T t and W = det A, C its cofactors. A mirrored object's W is below 0. Parallel rays come from infinitely far
- * along -w: t is (0, 0, 1), and W is 0.
+ * With the matrix of steps A and the translation t, the eye is where A e + 2^15 t = 0. That is e = 2^15 E / W, where E
+ * = -C^T t, W = det A, and C are the cofactors of A. W of a mirrored object is below 0. Parallel rays come from
+ * infinitely far along -w: there t is (0, 0, 1), and W is 0.
  */
 void glint_transform_eye(const glint_transform *transform, glint_eye *eye) {
     int32_t rows[3][3], cofactor[3][3];

@@ -28,7 +28,7 @@ int glint_light_to_camera(const glint_view *view, const glint_light *light, int 
     return (in[0] | in[1] | in[2]) != 0;
 }
 
-/* Unit and perpendicular to within 2^-9, far more than rounding to Q16.16 takes away. */
+/* The axes have to be unit and perpendicular to within 2^-9. Rounding to Q16.16 costs far less. */
 int glint_camera_is_valid(const glint_camera *camera) {
     int32_t error[3][3];
     if (!glint_axes_are_unit(&camera->pose, 1 << 23, error))
@@ -38,7 +38,7 @@ int glint_camera_is_valid(const glint_camera *camera) {
     return camera->field_of_view >= GLINT_ONE && camera->field_of_view <= 170 * GLINT_ONE && camera->near_plane > 0;
 }
 
-/* Twice the focal length in pixels, Q31: below 2^48. */
+/* Sets twice the focal length in pixels, given in Q31 and below 2^48. */
 static void set_focal_length(glint_view *view, int64_t focal) {
     view->focal = (int32_t)glint_round_shift64(focal, 31 - 12);
     int64_t ratio = focal * (1 << 12) / (2 * GLINT_GUARD_BAND); /* focal length / guard band, Q43: 29 bits or more */
@@ -47,10 +47,8 @@ static void set_focal_length(glint_view *view, int64_t focal) {
     view->focal_mantissa = (int32_t)glint_shift_right64(ratio, down);
 }
 
-/*
- * The way to the eye of a corner of the screen gets 15 bits; half as much of parallel rays, whose z is found apart.
- * Whole multiples of half pixels are exact.
- */
+/* Chooses the scale of rays so that the ray of a screen corner has 15 bits, or 14 of parallel rays, whose z is found
+ * separately. Whole multiples of half pixels are exact. */
 static void set_ray_scale(glint_view *view, const glint_config *config) {
     const uint64_t focal = (uint64_t)view->focal >> 12, width = config->width + 16u,
                    height = config->height + 16u; /* nodes may lie 8 pixels outside: light/cells.c */
@@ -82,21 +80,21 @@ static glint_status prepare_lights(glint_view *view, const glint_scene *scene) {
     return GLINT_OK;
 }
 
-/* Lights with positions are kept in the units of the depth's scale. */
+/* Brings lights with positions to the units of the depth's scale. */
 static void place_lights(glint_view *view, const glint_scene *scene) {
     for (uint32_t i = 0; i < scene->light_count; i++)
         if (scene->lights[i].type->place)
             scene->lights[i].type->place(&scene->lights[i], &view->lights[i], view);
 }
 
-/* The farther one of a w, Q28, and the farthest corner of an object's bounding box. */
+/* Returns the larger of a w, Q28, and that of the farthest corner of an object's bounding box. */
 static GLINT_NOINLINE int64_t farther(int64_t farthest, const glint_transform *transform) {
     const int64_t w = 2 * (int64_t)transform->translation[2] - transform->least_w + 2;
     const int64_t here = glint_shift_round64(w, transform->exponent - 28);
     return here > farthest ? here : farthest;
 }
 
-/* Depth is scaled to the nearest corner of any visible object's bounding box. */
+/* Scales depth to the nearest corner of any visible object's bounding box. */
 static glint_status prepare_nearest(glint_view *view, const glint_config *config, const glint_scene *scene,
                                     glint_transform *last, uint32_t count) {
     int64_t nearest = INT64_MAX, farthest = view->near_plane;
@@ -119,9 +117,9 @@ static glint_status prepare_nearest(glint_view *view, const glint_config *config
     if (view->is_parallel)
         scene->camera.projection->set_range(view, nearest < farthest ? nearest : farthest, farthest);
     else if (nearest < INT64_MAX) {
-        nearest -= nearest >> 7; /* leaves room for what planes of 1/w are rounded by */
+        nearest -= nearest >> 7; /* this leaves room for the rounding of planes of 1/w */
         const unsigned bits = glint_bits64((uint64_t)nearest), down = bits > 16 ? bits - 16 : 0;
-        view->nearest = nearest >> down << down; /* geometry keeps 16 bits: lights are placed by the same */
+        view->nearest = nearest >> down << down; /* geometry keeps 16 bits, and lights are placed by the same bits */
     }
     return GLINT_OK;
 }
