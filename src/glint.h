@@ -67,46 +67,47 @@
 extern "C" {
 #endif
 
-/** What was written for a lower one may have to change. */
+/** Incompatible API changes. */
 #define GLINT_VERSION_MAJOR 0
 /** New features; pixels may have changed. */
 #define GLINT_VERSION_MINOR 3
-/** Mended errors. */
+/** Fixed errors. */
 #define GLINT_VERSION_PATCH 0
 
 /* ---- Numbers ----------------------------------------------------------------------------------------------------- */
 
-/** Signed fixed point, 16 fractional bits: 65536 is 1. */
+/** Numbers are signed fixed point with 16 fractional bits: 65536 is 1. */
 typedef int32_t glint_q16;
 
 #ifdef __cplusplus
 #define GLINT_ONE static_cast<glint_q16>(65536)
 #define GLINT_Q16(x) static_cast<glint_q16>((x)*65536.0 + ((x) < 0 ? -0.5 : 0.5))
 #else
-/** One in Q16.16. */
+/** This is one in Q16.16. */
 #define GLINT_ONE ((glint_q16)65536)
 
 /**
- * A constant as Q16.16, rounded to nearest. For literals: the compiler folds it, no floating point is left.
+ * Converts a constant to Q16.16, rounded to nearest. It is for literals: the compiler folds it, and no floating point
+ * is left.
  * @param x a number, from -32768 to below 32768
  */
 #define GLINT_Q16(x) ((glint_q16)((x)*65536.0 + ((x) < 0 ? -0.5 : 0.5)))
 #endif
 
-/** A point, a direction or a length per axis. */
+/** A vector is a point, a direction or a length per axis. */
 typedef struct glint_vector {
     glint_q16 x, y, z; /**< Along each axis. */
 } glint_vector;
 
-/** Linear colour, each channel from 0 to GLINT_COLOUR_MAX. */
+/** A colour is linear. Each channel is from 0 to GLINT_COLOUR_MAX. */
 typedef struct glint_colour {
     glint_q16 r, g, b; /**< Red, green, blue. */
 } glint_colour;
 
 /**
- * Initialises a vector from literals: `const glint_vector up = GLINT_VECTOR(0, 1, 0);`. In an argument C wants its
- * type, `(glint_vector)GLINT_VECTOR(0, 1, 0)`, C++11 does not.
- * @param x,y,z as GLINT_Q16 takes them
+ * Initialises a vector from literals: `const glint_vector up = GLINT_VECTOR(0, 1, 0);`. An argument in C needs its
+ * type, `(glint_vector)GLINT_VECTOR(0, 1, 0)`, in C++11 it does not.
+ * @param x,y,z as for GLINT_Q16
  */
 #define GLINT_VECTOR(x, y, z) \
     { GLINT_Q16(x), GLINT_Q16(y), GLINT_Q16(z) }
@@ -118,27 +119,27 @@ typedef struct glint_colour {
 #define GLINT_COLOUR(r, g, b) \
     { GLINT_Q16(r), GLINT_Q16(g), GLINT_Q16(b) }
 
-/** Largest colour channel, and largest product of a light's and a material's channel: 16. */
+/** Colour channels, and products of a light's and a material's channel, are at most 16. */
 #define GLINT_COLOUR_MAX (16 * GLINT_ONE)
 
-/** An affine map, column vectors: (x, y, z) goes to m[.][0] x + m[.][1] y + m[.][2] z + m[.][3]. */
+/** A pose is an affine map of column vectors: (x, y, z) goes to m[.][0] x + m[.][1] y + m[.][2] z + m[.][3]. */
 typedef struct glint_pose {
     glint_q16 m[3][4]; /**< Rows of four. */
 } glint_pose;
 
 /* ---- Meshes ------------------------------------------------------------------------------------------------------ */
 
-/** A layout and clusters of a mesh: the end of this header has both. */
+/** The end of this header has the layout and the clusters of a mesh. */
 typedef struct glint_mesh_layout glint_mesh_layout;
 typedef struct glint_clusters glint_clusters;
 
-/** Triangles are drawn from both sides; seen from the back they are lit with the normal flipped. */
+/** Triangles are drawn from both sides. Seen from the back they are lit with the normal flipped. */
 #define GLINT_MESH_DOUBLE_SIDED 1u
 
 /**
- * Triangles in flash or RAM. Positions are stored as int16 steps: object space is offset + extent * step / 32768, per
- * axis. Owned by the caller; read while a frame is drawn, never written. In between everything may change: no frame
- * relies on what a mesh was before.
+ * A mesh has triangles in flash or RAM. Positions are stored as int16 steps: object space is offset + extent * step /
+ * 32768, per axis. The caller owns a mesh. It is read while a frame is drawn and never written. Between frames
+ * everything may change: no frame relies on what a mesh was before.
  */
 typedef struct glint_mesh {
     const int16_t (*positions)[3];   /**< vertex_count positions, steps. */
@@ -159,28 +160,28 @@ typedef struct glint_mesh {
 
 /* ---- Materials --------------------------------------------------------------------------------------------------- */
 
-/** How a surface reflects; a descriptor, one of those below. */
+/** A shading model says how a surface reflects. It is one of the descriptors below. */
 typedef struct glint_shading_model glint_shading_model;
 
-/** Ambient + diffuse max(N.L, 0) (Lambert, 1760). */
+/** Adds ambient and diffuse max(N.L, 0) (Lambert, 1760). */
 extern const glint_shading_model glint_model_lambert;
 
-/** The same + specular max(R.V, 0)^shininess where N.L > 0, R = 2 (N.L) N - L (Phong, 1975). */
+/** Adds to Lambert specular max(R.V, 0)^shininess where N.L > 0, R = 2 (N.L) N - L (Phong, 1975). */
 extern const glint_shading_model glint_model_phong;
 
-/** The same + specular max(N.H, 0)^shininess where N.L > 0, H = (L + V) / |L + V| (Blinn, 1977). */
+/** Adds to Lambert specular max(N.H, 0)^shininess where N.L > 0, H = (L + V) / |L + V| (Blinn, 1977). */
 extern const glint_shading_model glint_model_blinn_phong;
 
-/** The diffuse colour as it is, whatever the lights. */
+/** Shows the diffuse colour as it is, whatever the lights. */
 extern const glint_shading_model glint_model_unlit;
 
-/** Specular light also where N.L <= 0: the highlight shines through. */
+/** Specular light is added also where N.L <= 0: the highlight shines through. */
 #define GLINT_MATERIAL_SPECULAR_UNGATED 1u
 
-/** The larger of diffuse + specular and ambient, channel by channel, in place of their sum. */
+/** The larger of diffuse + specular and ambient counts, channel by channel, in place of their sum. */
 #define GLINT_MATERIAL_MAX_WITH_AMBIENT 2u
 
-/** What an object is made of. Each channel from 0 to GLINT_COLOUR_MAX. */
+/** A material says how an object reflects. Each channel is from 0 to GLINT_COLOUR_MAX. */
 typedef struct glint_material {
     const glint_shading_model *model; /**< How it reflects. */
     glint_colour ambient;             /**< Times the scene's ambient light. */
@@ -193,9 +194,9 @@ typedef struct glint_material {
 } glint_material;
 
 /**
- * A surface of one paint: ambient paint * ambient_fraction, each channel rounded to nearest, diffuse paint, a white
- * highlight. Under ambient light of the lights' colour this takes a paint, a fraction and an exponent where the full
- * model takes six colours; where all three terms meet, channels may pass 1 and are clamped.
+ * Makes a surface of one paint: ambient paint * ambient_fraction, each channel rounded to nearest, diffuse paint, and a
+ * white highlight. Under ambient light of the lights' colour this needs a paint, a fraction and an exponent, where the
+ * full model needs six colours. Where all three terms meet, channels may pass 1 and are clamped.
  * @param model how it reflects
  * @param paint each channel from 0 to 1
  * @param ambient_fraction 0 to 1
@@ -207,24 +208,24 @@ glint_material glint_material_paint(const glint_shading_model *model, glint_colo
 
 /* ---- Lights ------------------------------------------------------------------------------------------------------ */
 
-/** What kind of light; a descriptor, one of those below. */
+/** A light type says how light travels. It is one of the descriptors below. */
 typedef struct glint_light_type glint_light_type;
 
-/** Light from infinitely far, the same everywhere. It has a direction and no position. */
+/** Light comes from infinitely far, the same everywhere. It has a direction and no position. */
 extern const glint_light_type glint_light_directional;
 
-/**
- * Light from a position to all sides, weaker with its distance d: 1 / (1 + linear d + quadratic d^2). Adds nothing at
- * d = 0, that is, nearer than about 1/32768 of the way to the eye.
- */
+/** Light goes from a position to all sides, and weakens with its distance d: 1 / (1 + linear d + quadratic d^2). It
+ * adds nothing at d = 0, that is, nearer than about 1/32768 of the distance to the eye. */
 extern const glint_light_type glint_light_point;
 
-/** A point light with a direction: full up to `inner` degrees from it, none from `outer` on, a smooth step between.
- * Unit vectors of 15 bits tell cosines to about 2^-14: a step shows their rounding where the cosines of `inner` and
- * `outer` are less than 1/64 apart. */
+/**
+ * A spot is a point light with a direction: full up to `inner` degrees from it, none from `outer` on, with a smooth
+ * step between. Unit vectors of 15 bits give cosines to about 2^-14: rounding is visible in a step where the cosines of
+ * `inner` and `outer` are less than 1/64 apart.
+ */
 extern const glint_light_type glint_light_spot;
 
-/** A light, in world space. Ambient light is the scene's. */
+/** A light is in world space. Ambient light belongs to the scene. */
 typedef struct glint_light {
     const glint_light_type *type; /**< What kind. */
     glint_vector position;        /**< Of point lights and spots: where they stand. */
@@ -245,14 +246,14 @@ typedef struct glint_light {
 glint_light glint_sun(glint_vector direction, glint_colour colour);
 
 /**
- * Returns a point light that weakens with the square of its distance, up to a range: there it has faded to 1/126, which
- * is half a step of RGB565's green, and light of a colour up to 1 does not show beyond. Half of it is left at 1/11 of
+ * Returns a point light that weakens with the square of its distance, up to a range. There it has faded to 1/126, which
+ * is half a step of RGB565's green, and light of a colour up to 1 is not visible beyond. Half of it is left at 1/11 of
  * the range, a sixth at 1/5. Set `linear` and `quadratic` of the result for another attenuation, both 0 for none.
  * @param position in world space
  * @param colour of its diffuse and specular light, each channel from 0 to GLINT_COLOUR_MAX; beyond 1 it reaches
  * farther, by the square root
- * @param range in units of the world, Q16.16, 1/16 or more; light there is exact to 1/400. The quadratic
- * coefficient has 16 bits of fraction: beyond a range of 250 some of the attenuation is linear, beyond 2862 all of it
+ * @param range in units of the world, Q16.16, 1/16 or more; light there is exact to 1/400. The quadratic coefficient
+ * has 16 bits of fraction: beyond a range of 250 some of the attenuation is linear, beyond 2862 all of it
  * @return the light; a range below 1/16 gives GLINT_ERROR_ATTENUATION when it is drawn with
  */
 glint_light glint_lamp(glint_vector position, glint_colour colour, glint_q16 range);
@@ -268,50 +269,51 @@ glint_light glint_lamp(glint_vector position, glint_colour colour, glint_q16 ran
  */
 glint_light glint_spot(glint_vector position, glint_vector at, glint_colour colour, glint_q16 range, glint_q16 angle);
 
-/** Most lights in a scene. */
+/** A scene has at most so many lights. */
 #define GLINT_LIGHTS_MAX 8
 
 /* ---- Poses ------------------------------------------------------------------------------------------------------- */
 
 /**
- * Sine.
+ * Returns the sine of an angle.
  * @param degrees any angle, Q16.16
  * @return Q16.16
  */
 glint_q16 glint_sin(glint_q16 degrees);
 
 /**
- * Cosine.
+ * Returns the cosine of an angle.
  * @param degrees any angle, Q16.16
  * @return Q16.16
  */
 glint_q16 glint_cos(glint_q16 degrees);
 
-/** The pose that changes nothing. @return the pose */
+/** Returns the pose that changes nothing. @return the pose */
 glint_pose glint_pose_identity(void);
 
-/** A move. @param x,y,z how far along each axis @return the pose */
+/** Returns a translation. @param x,y,z how far along each axis @return the pose */
 glint_pose glint_pose_translate(glint_q16 x, glint_q16 y, glint_q16 z);
 
-/** A scale per axis. @param x,y,z factors @return the pose */
+/** Returns a scale per axis. @param x,y,z factors @return the pose */
 glint_pose glint_pose_scale(glint_q16 x, glint_q16 y, glint_q16 z);
 
-/** A right-handed turn about the x axis. @param degrees any angle @return the pose */
+/** Returns a right-handed rotation about the x axis. @param degrees any angle @return the pose */
 glint_pose glint_pose_rotate_x(glint_q16 degrees);
 
-/** A right-handed turn about the y axis. @param degrees any angle @return the pose */
+/** Returns a right-handed rotation about the y axis. @param degrees any angle @return the pose */
 glint_pose glint_pose_rotate_y(glint_q16 degrees);
 
-/** A right-handed turn about the z axis. @param degrees any angle @return the pose */
+/** Returns a right-handed rotation about the z axis. @param degrees any angle @return the pose */
 glint_pose glint_pose_rotate_z(glint_q16 degrees);
 
-/** A right-handed turn. @param axis of any length @param degrees any angle @return the identity where the axis is 0 */
+/** Returns a right-handed rotation. @param axis of any length @param degrees any angle @return the identity where the
+ * axis is 0 */
 glint_pose glint_pose_rotate(glint_vector axis, glint_q16 degrees);
 
-/** The turn of a quaternion. @param x,y,z,w of any length @return the identity where that is 0 */
+/** Returns the rotation of a quaternion. @param x,y,z,w of any length @return the identity where that is 0 */
 glint_pose glint_pose_quaternion(glint_q16 x, glint_q16 y, glint_q16 z, glint_q16 w);
 
-/** Finds where a pose takes a point. @param pose any @param point any @return rounded to nearest and saturated */
+/** Applies a pose to a point. @param pose any @param point any @return rounded to nearest and saturated */
 glint_vector glint_pose_apply(const glint_pose *pose, glint_vector point);
 
 /**
@@ -334,19 +336,18 @@ glint_pose glint_pose_then(const glint_pose *first, const glint_pose *second);
 /** An evaluation says where light is found; it is one of the descriptors below. */
 typedef struct glint_evaluation glint_evaluation;
 
-/**
- * At every fragment, with the normal interpolated and made unit (Phong, 1975). This was long called Phong shading; it
- * goes with any model, and is not the Phong model, which is one kind of highlight.
- */
+/** Light is found at every fragment, with the normal interpolated and made unit (Phong, 1975). This was long called
+ * Phong shading. It goes with any model, and is not the Phong model, which is one kind of highlight. */
 extern const glint_evaluation glint_per_fragment;
 
-/** At every vertex; colours, clamped at 1, are interpolated (Gouraud, 1971). */
+/** Light is found at every vertex. Colours, clamped at 1, are interpolated (Gouraud, 1971). */
 extern const glint_evaluation glint_per_vertex;
 
-/** Once a triangle, at its centroid, with the normal of its plane. */
+/** Light is found once a triangle, at its centroid, with the normal of its plane. */
 extern const glint_evaluation glint_per_facet;
 
-/** A mesh of a material at a place. Owned by the caller; read while a frame is drawn, never written. */
+/** An object is a mesh of a material at a place. The caller owns it. It is read while a frame is drawn and never
+ * written. */
 typedef struct glint_object {
     const glint_mesh *mesh;         /**< What it looks like. */
     const glint_material *material; /**< What it is made of. */
@@ -358,12 +359,12 @@ typedef struct glint_object {
 
 /* ---- Cameras ----------------------------------------------------------------------------------------------------- */
 
-/** How a camera projects; a descriptor, null for perspective or the one below. */
+/** A projection says how a camera projects. It is null for perspective, or the descriptor below. */
 typedef struct glint_projection glint_projection;
 
 /**
- * Parallel rays (orthographic projection): what is twice as far away is as large. A local viewer sees what an infinite
- * one does.
+ * Rays are parallel (orthographic projection): an object twice as far away looks as large. A local viewer sees what an
+ * infinite viewer sees.
  *
  * Depth is linear: 65533 steps from the nearest corner of any visible object's bounding box, or the near plane, to the
  * farthest. A surface's depth is off by at most two steps. Lights with a position know a surface's place along the
@@ -371,7 +372,7 @@ typedef struct glint_projection glint_projection;
  */
 extern const glint_projection glint_orthographic;
 
-/** Where a scene is seen from. */
+/** A camera says where a scene is seen from. */
 typedef struct glint_camera {
     glint_pose pose;         /**< Camera to world: a rotation and the eye's position. */
     glint_q16 field_of_view; /**< Vertical, degrees, 1 to 170; not looked at where the projection is orthographic. */
@@ -390,20 +391,20 @@ glint_camera glint_camera_default(void);
 /*
  * In perspective depths reach from the near plane to 2^33 times as far, the range of all coordinates, and all are
  * drawn. Up to 2^12 times as far as the nearest corner of any visible object's bounding box, colours are as exact as
- * anywhere. Beyond, 1/w is known to fewer than 16 bits: coverage is exact still and pixels are the same on every core,
- * but what is interpolated across a triangle, and lights with a position, are known to those bits only; from 2^16 times
- * on all depths tie.
+ * anywhere. Beyond, 1/w has fewer than 16 bits. Coverage is still exact and pixels are the same on every core, but
+ * lights with a position and values interpolated across a triangle are exact to those bits only. From 2^16 times on all
+ * depths tie.
  */
 
 /* ---- Scenes ------------------------------------------------------------------------------------------------------ */
 
-/** Where highlights are seen from. */
+/** A viewer says where highlights are seen from. */
 typedef enum glint_viewer {
     GLINT_VIEWER_INFINITE = 0, /**< V is the camera's backward axis everywhere: cheaper. */
     GLINT_VIEWER_LOCAL = 1     /**< V points from each fragment to the eye. */
 } glint_viewer;
 
-/** All that a frame shows. Owned by the caller; read while a frame is drawn, never written. */
+/** A scene holds all that a frame shows. The caller owns it. It is read while a frame is drawn and never written. */
 typedef struct glint_scene {
     glint_camera camera;         /**< Where it is seen from. */
     glint_viewer viewer;         /**< Where highlights are seen from. */
@@ -417,7 +418,7 @@ typedef struct glint_scene {
 
 /* ---- Output ------------------------------------------------------------------------------------------------------ */
 
-/** How pixels are stored; a descriptor. */
+/** A format is a descriptor that says how pixels are stored. */
 typedef struct glint_format glint_format;
 
 extern const glint_format glint_format_rgb565;    /**< 16 bits, RRRRRGGGGGGBBBBB, in the core's byte order. */
@@ -428,14 +429,15 @@ extern const glint_format glint_format_grey4;     /**< 4 bits, the left pixel of
 extern const glint_format glint_format_rgb444;    /**< 12 bits, RRRRGGGGBBBB, high bits first: 2 pixels in 3 bytes. */
 extern const glint_format glint_format_mono;      /**< 1 bit of luma, the left pixel of a byte lowest. */
 
-/** 1 bit of luma, as OLED controllers keep it: pixel (x, y) of a tile is bit y % 8 of byte x + y / 8 * 8 stride. */
+/** A pixel is 1 bit of luma, as OLED controllers keep it: pixel (x, y) of a tile is bit y % 8 of byte x + y / 8 * 8
+ * stride. */
 extern const glint_format glint_format_mono_pages;
 
 /**
  * @name Dithered
- * The same with ordered dithering (Bayer, 1973) over 8 x 8 pixels: no banding, at the price of a fine pattern. Every
- * format stores floor(v + t): v is the value in its levels, t is 1/2 or, dithered, the pixel's threshold, an odd number
- * of 128ths. What is exact is v, to a part of a level that docs/accuracy.md states for each format.
+ * These use ordered dithering (Bayer, 1973) over 8 x 8 pixels: no banding, at the price of a fine pattern. Every format
+ * stores floor(v + t): v is the value in its levels, t is 1/2 or, dithered, the pixel's threshold, an odd number of
+ * 128ths. v is exact to a part of a level that docs/accuracy.md states for each format.
  * @{
  */
 extern const glint_format glint_format_rgb565_dithered;     /**< As glint_format_rgb565. */
@@ -448,29 +450,30 @@ extern const glint_format glint_format_mono_dithered;       /**< As glint_format
 extern const glint_format glint_format_mono_pages_dithered; /**< As glint_format_mono_pages. */
 /** @} */
 
-/** Entries of an output table. */
+/** An output table has so many entries. */
 #define GLINT_GAMMA_ENTRIES 257
 
 /**
- * The output table of a panel that expects sRGB (IEC 61966-2-1), which shows linear colours too dark. It is no default:
- * panels have curves of their own, a frame takes more instructions with a table than without, and colours that a user
- * interface mixes with are 565 already. 1.5 KB of flash where it is named.
+ * This is the output table of a panel that expects sRGB (IEC 61966-2-1), which shows linear colours too dark. It is no
+ * default: panels have curves of their own, a frame costs more instructions with a table than without, and colours that
+ * a user interface mixes with are 565 already. It uses 1.5 KB of flash where it is named.
  */
 extern const uint16_t glint_gamma_srgb[3][GLINT_GAMMA_ENTRIES];
 
-/** Bytes of a row of pixels. @param format how they are stored @param width pixels @return bytes */
+/** Returns the bytes of a row of pixels. @param format how they are stored @param width pixels @return bytes */
 size_t glint_row_bytes(const glint_format *format, uint32_t width);
 
 /**
- * Takes finished tiles. `begin` starts to send a rectangle and may return before it is sent; `wait` returns when it
- * is. They are called in pairs, in order, and the buffer is not modified between them. Tiles that show only the
+ * A flush takes finished tiles. `begin` starts to send a rectangle and may return before it is sent; `wait` returns
+ * when it is. They are called in pairs, in order, and the buffer is not modified between them. Tiles that show only the
  * background may pass the same pixels again. Either returns 0, or anything else to report a failure, which ends the
  * frame with GLINT_ERROR_FLUSH: no further tile is sent, and the next frame is whole.
  *
- * These and painters may call all of the library with another renderer and another arena, to any depth that the stack
- * allows. They must not touch the renderer that calls them, its arena, or the scene, and they must return: the library
- * has no clock, so that a wait without an end is a frame without one. Bound each wait, and report a failure when it is
- * over; what is given up must not go on reading the pixels. The drivers in port/ end so with GLINT_ERROR_TIMEOUT.
+ * Flushes and painters may call all of the library with another renderer and another arena, to any depth that the stack
+ * allows. They must not touch the renderer that calls them, its arena, or the scene. They must return: the library has
+ * no clock, so that a wait without an end is a frame without an end. Bound each wait, and report a failure when it is
+ * over. A transfer that was given up must not go on reading the pixels. The drivers in port/ return GLINT_ERROR_TIMEOUT
+ * then.
  */
 typedef struct glint_flush {
     /** Starts to send; `stride` is bytes from a row of `pixels` to the next. */
@@ -480,40 +483,40 @@ typedef struct glint_flush {
     void *context; /**< Handed to both. */
 } glint_flush;
 
-/** Pixels of a screen. */
+/** A rectangle holds pixels of a screen. */
 typedef struct glint_rectangle {
     int16_t x, y, width, height; /**< From its left upper corner on. */
 } glint_rectangle;
 
-/** A tile of the screen, cut at the screen's edges and at the region's. */
+/** A tile of the screen is cut at the screen's edges and at the region's. */
 typedef struct glint_tile {
     int x, y, width, height; /**< On the screen. */
     void *pixels;            /**< The one at x, y. */
     size_t stride;           /**< Bytes from row to row. */
-    /** Depth at x, y, larger where nearer: 0 where nothing has been drawn, so that it tells which pixels show objects.
-     * Of a background it tells nothing. */
+    /** Depth at x, y, larger where nearer. It is 0 where nothing has been drawn, so that it shows which pixels show
+     * objects. It does not cover a background. */
     const uint16_t *depth;
     size_t depth_stride; /**< Numbers from row to row. */
     /** @privatesection */
-    /* what glint_lines_draw reads */
+    /* glint_lines_draw reads these. */
     const struct glint_frame *frame;
     const struct glint_workspace *workspace;
 } glint_tile;
 
 /**
- * Paints pixels of a tile, in the format of the configuration. It returns 0, or anything else to report a failure,
- * which ends the frame with GLINT_ERROR_PAINT. It is called by whoever draws the tile: by two at once where two draw
- * tiles.
+ * A painter paints pixels of a tile, in the format of the configuration. It returns 0, or anything else to report a
+ * failure, which ends the frame with GLINT_ERROR_PAINT. The caller that draws the tile calls it: two callers at once
+ * where two draw tiles.
  */
 typedef struct glint_painter {
     int (*paint)(void *context, const glint_tile *tile); /**< Null: nothing is painted. */
     void *context;                                       /**< Handed to it. */
 } glint_painter;
 
-/** Largest width and height. */
+/** Width and height are at most this. */
 #define GLINT_SIZE_MAX 1024
 
-/** How and where to draw. Copied by `glint_init`; what it points to stays the caller's. */
+/** A configuration says how and where to draw. `glint_init` copies it; what it points to stays the caller's. */
 typedef struct glint_config {
     uint16_t width;             /**< Pixels, 1 to GLINT_SIZE_MAX. */
     uint16_t height;            /**< Pixels, 1 to GLINT_SIZE_MAX. */
@@ -524,36 +527,42 @@ typedef struct glint_config {
     void *arena;                /**< Working memory, any alignment. More means fewer passes, never other pixels. */
     size_t arena_size;          /**< Bytes; see `glint_arena_need`. */
     /**
-     * Where glint_render puts the pixels that it sends, for memory of its own that DMA reads: aligned as a pointer is,
-     * or as a cache or a DMA wants it, as the second of two tiles begins a multiple of 64 bytes behind the first. Null:
-     * in the arena, where depth is in any case.
+     * glint_render puts the pixels that it sends here, for memory of its own that DMA reads. It is aligned as a pointer
+     * is, or as a cache or a DMA wants it: the second of two tiles begins a multiple of 64 bytes behind the first.
+     * Where it is null, pixels are in the arena, where depth is in any case.
      */
     void *pixels;
     size_t pixels_size; /**< Bytes: no less than `glint_pixels_need` tells. */
-    /** Output tables for red, green and blue, or null: what a panel needs to show 0, 1/256 .. 1; Q16, 65535 is 1. */
+    /** Output tables for red, green and blue, or null. They have the output for 0, 1/256 .. 1; Q16, 65535 is 1. */
     const uint16_t (*gamma)[GLINT_GAMMA_ENTRIES];
-    /** Not 0: nobody else writes to the arena between frames. Tables of a material that the last frame prepared are
-     * then kept for as long as nothing that they come from changes, and made anew where something has written there;
-     * not by a library built for size. */
+    /**
+     * Not 0: nobody else writes to the arena between frames. Tables of a material that the last frame prepared are then
+     * kept as long as their inputs do not change, and made again where something has written there. A library built for
+     * size does not keep them.
+     */
     uint8_t keeps_arena;
     int16_t left, top; /**< Where the screen's first pixel lies on the display: added to where tiles are sent. */
     /**
-     * The part of the screen that is drawn and sent, all 0 for the whole: its pixels are those of the whole frame.
+     * The part of the screen that is drawn and sent, all 0 for the whole. Its pixels are those of the whole frame.
      * Where pixels share a byte, it ends where bytes do, or at the screen's edge: x and width are multiples of 2 in
      * formats of 4 and 12 bits and of 8 in glint_format_mono; y and height of 8 in glint_format_mono_pages.
      */
     glint_rectangle region;
     glint_painter background; /**< Paints all of a tile before objects are drawn, in place of scene->background. */
     glint_painter overlay;    /**< Paints over a finished tile, also where no object shows. */
-    /** Not 0: objects that have nothing to draw are left out and counted in glint_stats.skipped: those whose pose is
-     * singular, which would end the frame with GLINT_ERROR_POSE, and those whose mesh has no vertices or no triangles,
-     * with GLINT_ERROR_MESH; nothing else of such a mesh is looked at. */
+    /**
+     * Not 0: objects that have nothing to draw are left out and counted in glint_stats.skipped. These are objects whose
+     * pose is singular, which would end the frame with GLINT_ERROR_POSE, and objects whose mesh has no vertices or no
+     * triangles, with GLINT_ERROR_MESH. Nothing else of such a mesh is read.
+     */
     uint8_t skips_degenerate;
 } glint_config;
 
 /* ---- Errors ------------------------------------------------------------------------------------------------------ */
 
-/** Result of every function that can fail, those of panels and boards too. `glint_strerror` gives the sentence. */
+/**
+ * Every function that can fail returns a status, those of panels and boards too. `glint_strerror` gives the sentence.
+ */
 typedef enum glint_status {
     GLINT_OK = 0,
     GLINT_ERROR_NULL = -1,         /**< A required pointer is null. */
@@ -593,7 +602,7 @@ typedef enum glint_status {
 } glint_status;
 
 /**
- * Tells what a status means.
+ * Returns the meaning of a status.
  * @param status a glint_status
  * @return a sentence in English; for a number that is no status, "unknown status". Never null.
  */
@@ -601,7 +610,7 @@ const char *glint_strerror(int status);
 
 /* ---- Drawing ----------------------------------------------------------------------------------------------------- */
 
-/** What a frame took; counts since the frame began. */
+/** Statistics count since the frame began. */
 typedef struct glint_stats {
     uint32_t passes;      /**< Times the scene was gone through. */
     uint32_t tiles;       /**< Tiles drawn and sent. */
@@ -617,7 +626,7 @@ typedef struct glint_stats {
     uint32_t skipped;     /**< Objects left out as glint_config.skips_degenerate asks, else 0. */
 } glint_stats;
 
-/** What the last frame left in the arena: prepared materials. */
+/** The last frame leaves prepared materials in the arena. */
 typedef struct glint_kept {
     /** @privatesection */
     const struct glint_shading *shadings;
@@ -625,7 +634,7 @@ typedef struct glint_kept {
     size_t end; /* of the arena's use */
 } glint_kept;
 
-/** What draws; set up by glint_init. Owned by the caller. */
+/** A renderer draws; glint_init sets it up. The caller owns it. */
 typedef struct glint_renderer {
     glint_stats stats; /**< Of the last frame; 0 where it could not begin. */
     /** @privatesection */
@@ -634,7 +643,7 @@ typedef struct glint_renderer {
 } glint_renderer;
 
 /**
- * Sets up a renderer; draws nothing. On failure the renderer, if there is one, is all 0.
+ * Sets a renderer up and draws nothing. On failure the renderer, if there is one, is all 0.
  * @param renderer the caller's
  * @param config how and where to draw; copied
  * @return GLINT_ERROR_NULL, _SIZE, _TILE, _PIXELS, or _ARENA when the arena cannot hold even the tile buffers.
@@ -653,14 +662,14 @@ glint_status glint_init(glint_renderer *renderer, const glint_config *config);
 glint_status glint_render(glint_renderer *renderer, const glint_scene *scene);
 
 /**
- * The same for one frame of another region than the configuration's.
+ * Draws a scene likewise, for one frame, in another region than the configuration's.
  * @param renderer,scene as for glint_render
  * @param region see glint_config.region
  * @return as for glint_render; GLINT_ERROR_REGION
  */
 glint_status glint_render_region(glint_renderer *renderer, const glint_scene *scene, const glint_rectangle *region);
 
-/** Bytes of arena for a scene; each is no less than the one before it. */
+/** These are bytes of arena for a scene. Each is no less than the one before it. */
 typedef struct glint_need {
     size_t least;    /**< Below this, GLINT_ERROR_ARENA. Between this and `resident`, vertices are loaded in parts. */
     size_t resident; /**< From this on every vertex is transformed once a frame, for up to 57344 triangles in view. */
@@ -668,9 +677,9 @@ typedef struct glint_need {
 } glint_need;
 
 /**
- * How much arena a scene needs when drawn by glint_render with this configuration (its arena is not looked at, nor the
- * size of its pixels). Where objects move, `resident` and `one_pass` are those of this frame: for all frames, take the
- * largest of their poses.
+ * Finds how much arena a scene needs when glint_render draws it with this configuration. The configuration's arena and
+ * the size of its pixels do not count. Where objects move, `resident` and `one_pass` are those of this frame: for all
+ * frames, use the largest over their poses.
  * @param config,scene what is to be drawn
  * @param need set
  * @return the error that drawing the scene would give: then `need` is as it was
@@ -678,7 +687,7 @@ typedef struct glint_need {
 glint_status glint_arena_need(const glint_config *config, const glint_scene *scene, glint_need *need);
 
 /**
- * Bytes of `pixels` that glint_render needs where they are apart from the arena.
+ * Returns the bytes of `pixels` that glint_render needs where they are apart from the arena.
  * @param config what is to be drawn with
  * @return 0 when the configuration is null or not valid
  */
@@ -697,7 +706,7 @@ size_t glint_pixels_need(const glint_config *config);
 glint_status glint_camera_look_at(glint_camera *camera, glint_vector eye, glint_vector at, glint_vector up);
 
 /**
- * Sets camera->pose so that the camera looks at `at` from a distance: with no angles from +z, with a yaw of 90 degrees
+ * Sets camera->pose so that the camera looks at `at` from a distance: without angles from +z, with a yaw of 90 degrees
  * from +x, with a pitch of 90 degrees from +y.
  * @param camera its other fields stay
  * @param at what it looks at
@@ -713,32 +722,35 @@ void glint_camera_orbit(glint_camera *camera, glint_vector at, glint_q16 yaw, gl
  * names no type of these has no code for them.
  */
 
-/** How an attribute is stored: a descriptor, one of those below. Numbers are the machine's own. */
+/** An attribute type says how an attribute is stored. It is one of the descriptors below. Numbers are in the machine's
+ * own byte order. */
 typedef struct glint_attribute_type glint_attribute_type;
 
-/** Positions: three int16, steps. Normals: three int16, any length but 0. 6 bytes, aligned to 2. */
+/** Positions are three int16, steps. Normals are three int16, any length but 0. Both have 6 bytes, aligned to 2. */
 extern const glint_attribute_type glint_attribute_int16;
 
-/** Positions: three int8, each 256 steps. Normals: three int8, any length but 0. 3 bytes. */
+/** Positions are three int8, each 256 steps. Normals are three int8, any length but 0. Both have 3 bytes. */
 extern const glint_attribute_type glint_attribute_int8;
 
 /**
- * Normals: x and y of the octahedron |x| + |y| + |z| = 1, whose half with z < 0 is folded outwards onto a square (Meyer
- * et al., 2010; Cigolle et al., 2014). Two int16, 32767 for 1, -32768 as -32767: 4 bytes, aligned to 2. They are
- * decoded exactly, but for the length; no direction is more than 0.0025 degrees from the nearest one stored.
+ * Normals are x and y of the octahedron |x| + |y| + |z| = 1, whose half with z < 0 is folded outwards onto a square
+ * (Meyer et al., 2010; Cigolle et al., 2014). They are two int16, 32767 for 1, -32768 as -32767: 4 bytes, aligned to 2.
+ * They are decoded exactly, except for the length. No direction is more than 0.0025 degrees from the nearest one
+ * stored.
  */
 extern const glint_attribute_type glint_attribute_octahedral16;
 
-/** The same: two int8, 127 for 1, -128 as -127. 2 bytes; no direction is more than 0.64 degrees from the nearest. */
+/** Normals of the octahedron are two int8, 127 for 1, -128 as -127: 2 bytes. No direction is more than 0.64 degrees
+ * from the nearest. */
 extern const glint_attribute_type glint_attribute_octahedral8;
 
-/** Triangles: three uint16, 6 bytes, aligned to 2; and three uint8, 3 bytes: for up to 256 vertices. */
+/** Triangles are three uint16, 6 bytes, aligned to 2; or three uint8, 3 bytes, for up to 256 vertices. */
 extern const glint_attribute_type glint_attribute_uint16, glint_attribute_uint8;
 
-/** Colours: red, green, blue times 255, 3 bytes; and RGB565, 2 bytes, aligned to 2. */
+/** Colours are red, green and blue times 255, 3 bytes; or RGB565, 2 bytes, aligned to 2. */
 extern const glint_attribute_type glint_attribute_rgb888, glint_attribute_rgb565;
 
-/** Where an attribute of a mesh is stored. */
+/** An attribute of a mesh is stored here. */
 typedef struct glint_mesh_attribute {
     const glint_attribute_type *type; /**< Null for none. */
     const void *data;                 /**< The first vertex's, or triangle's. */
@@ -746,8 +758,9 @@ typedef struct glint_mesh_attribute {
 } glint_mesh_attribute;
 
 /**
- * Attributes in place of those arrays of a mesh that are null. Positions, normals and colours are decoded as they are
- * needed; triangles take 6 bytes of arena each while their mesh is drawn whole. Owned by the caller, as arrays are.
+ * A layout has attributes in place of those arrays of a mesh that are null. Positions, normals and colours are decoded
+ * when they are used; triangles use 6 bytes of arena each while their mesh is drawn whole. The caller owns a layout, as
+ * it owns arrays.
  */
 struct glint_mesh_layout {
     glint_mesh_attribute positions; /**< glint_attribute_int16 or _int8. */
@@ -761,16 +774,16 @@ struct glint_mesh_layout {
 
 /* `glint convert` writes clusters, and nothing else has to. */
 
-/** Drops triangles that face away, many at once; a descriptor, one of those below. */
+/** A cull drops triangles that face away, many at once. It is the descriptor below. */
 typedef struct glint_cull glint_cull;
 
-/** Clusters whose triangles all face away, by their normals' cones. */
+/** Drops clusters whose triangles all face away, by their normals' cones. */
 extern const glint_cull glint_cull_cones;
 
 /**
- * Triangles that lie together and face much the same way, and vertices: those of a mesh follow each other as its
- * clusters do. `glint convert` makes clusters, and leaves them out with `--no-clusters`: where flash is short, or most
- * of a frame is lighting on the general path, which they do not save.
+ * A cluster has triangles that lie together and face much the same way, and vertices. Triangles and vertices of a mesh
+ * follow each other as its clusters do. `glint convert` makes clusters, and leaves them out with `--no-clusters`: where
+ * flash is short, or most of a frame is light of fragments, which they do not save.
  *
  * With the eye at e, in steps, a triangle in the plane n.p = h faces away where n.e <= h. The normal n of each triangle
  * of a cluster can be scaled so that |n - axis| <= spread and h >= 256 height: where axis.e + spread |e| <= 256 height
@@ -785,10 +798,8 @@ typedef struct glint_cluster {
     uint16_t borrowers; /**< Number of other clusters with triangles at these vertices. */
 } glint_cluster;
 
-/**
- * Clusters of all triangles and vertices of a mesh. A triangle that faces away so little that rounding its corners to
- * 1/16 of a pixel turns it round is dropped with its cluster too.
- */
+/** Clusters hold all triangles and vertices of a mesh. A triangle that faces away so little that rounding its corners
+ * to 1/16 of a pixel reverses it is dropped with its cluster too. */
 struct glint_clusters {
     const glint_cull *cull;    /**< glint_cull_cones; null for no clusters. */
     const glint_cluster *list; /**< The clusters. */

@@ -35,7 +35,7 @@ typedef struct glint_mesh_room {
  */
 
 /**
- * A torus around the z axis.
+ * Generates a torus around the z axis.
  * @param mesh,room as above
  * @param around,along quads, 3 or more
  * @param radius to the tube's centre
@@ -46,7 +46,7 @@ glint_status glint_generate_torus(glint_mesh *mesh, const glint_mesh_room *room,
                                   glint_q16 radius, glint_q16 tube);
 
 /**
- * A sphere, its poles on z.
+ * Generates a sphere whose poles lie on z.
  * @param mesh,room as above
  * @param around quads, 3 or more
  * @param along steps from pole to pole, 2 or more
@@ -57,7 +57,7 @@ glint_status glint_generate_sphere(glint_mesh *mesh, const glint_mesh_room *room
                                    glint_q16 radius);
 
 /**
- * A cylinder around the z axis, from -half_height to half_height.
+ * Generates a cylinder around the z axis, from -half_height to half_height.
  * @param mesh,room as above
  * @param around quads, 3 or more
  * @param along steps, 1 or more
@@ -69,7 +69,7 @@ glint_status glint_generate_cylinder(glint_mesh *mesh, const glint_mesh_room *ro
                                      glint_q16 radius, glint_q16 half_height, int capped);
 
 /**
- * A cone around the z axis, its base at -half_height, its tip at half_height.
+ * Generates a cone around the z axis, with its base at -half_height and its tip at half_height.
  * @param mesh,room as above
  * @param around quads, 3 or more
  * @param along steps, 1 or more
@@ -81,7 +81,7 @@ glint_status glint_generate_cone(glint_mesh *mesh, const glint_mesh_room *room, 
                                  glint_q16 radius, glint_q16 half_height, int capped);
 
 /**
- * A rectangle in the plane z = 0, seen from +z.
+ * Generates a rectangle in the plane z = 0, seen from +z.
  * @param mesh,room as above
  * @param columns,rows quads, 1 or more
  * @param half_width,half_height x and y are from minus to plus these
@@ -91,7 +91,7 @@ glint_status glint_generate_plane(glint_mesh *mesh, const glint_mesh_room *room,
                                   glint_q16 half_width, glint_q16 half_height);
 
 /**
- * A box: six faces, each of its own vertices; 24 vertices, 12 triangles.
+ * Generates a box of six faces, each with vertices of its own: 24 vertices, 12 triangles.
  * @param mesh,room as above
  * @param half_width,half_height,half_depth its size
  * @return as above
@@ -113,8 +113,9 @@ typedef struct glint_report {
 } glint_report;
 
 /**
- * Looks for what keeps a scene from being drawn, or makes it black: draws it with the configuration's arena, and sends
- * nothing. For development: neither its time nor its flash is meant for a product. Not while a frame is on its way.
+ * Looks for what keeps a scene from being drawn, or makes it black. It draws the scene with the configuration's arena,
+ * and sends nothing. It is for development: neither its time nor its flash is meant for a product. It must not be
+ * called while a frame is being drawn.
  * @param config,scene what is to be drawn
  * @param report what was found
  * @return report->status, or GLINT_ERROR_NULL where `report` is null
@@ -123,24 +124,24 @@ glint_status glint_check(const glint_config *config, const glint_scene *scene, g
 
 /* ---- From the screen to the scene, and back ---------------------------------------------------------------------- */
 
-/** This tells where a point shows on the screen. */
+/** A screen point says where a point is visible on the screen. */
 typedef struct glint_screen_point {
     glint_q16 x, y;     /**< Pixels from the screen's left and top edge; saturated. */
     glint_q16 distance; /**< From the eye along the camera's axis; saturated. */
 } glint_screen_point;
 
 /**
- * Finds where a point of the world shows on a screen of config->width and height: off by at most 1/128 of a pixel, on
- * and around the screen. Nothing else of the configuration is looked at.
+ * Finds where a point of the world is visible on a screen of config->width and height. It is off by at most 1/128 of a
+ * pixel, on and around the screen. Nothing else of the configuration is read.
  * @param config,camera what it is seen with
  * @param point in the world
- * @param to where it shows
+ * @param to where it is visible
  * @return 1, 0 when it lies in front of the near plane: then `to` is as it was; GLINT_ERROR_NULL, _SIZE or _CAMERA
  */
 int glint_camera_project(const glint_config *config, const glint_camera *camera, glint_vector point,
                          glint_screen_point *to);
 
-/** This tells what a pixel shows. */
+/** A hit says what a pixel shows. */
 typedef struct glint_hit {
     uint32_t object;   /**< Of the scene. */
     uint32_t triangle; /**< Of the object's mesh. */
@@ -148,8 +149,8 @@ typedef struct glint_hit {
 } glint_hit;
 
 /**
- * Finds which triangle glint_render shows at a pixel of the screen, by drawing that pixel; uses the renderer's arena,
- * so not while a frame is on its way.
+ * Finds which triangle glint_render shows at a pixel of the screen, by drawing that pixel. It uses the renderer's
+ * arena, and must not be called while a frame is being drawn.
  * @param renderer,scene what shows
  * @param x,y the pixel
  * @param hit what it shows
@@ -168,26 +169,26 @@ int glint_pick(glint_renderer *renderer, const glint_scene *scene, int x, int y,
  *     int paint(void *context, const glint_tile *tile) { return glint_lines_draw(tile, segments, count); }
  *
  * A line ends where it passes the near plane or lies 1023 pixels from the screen's centre in x or y. Its ends are then
- * rounded to 1/16 of a pixel. Is it at least as wide as it is high, then it has one pixel in each column, from that of
- * its left end to that of its right end, both included: the pixel that holds the point where the line passes the middle
- * of the column or, where it ends before, its end. A steeper line has one pixel in each row, likewise. A point between
- * two pixels belongs to the right or the lower one. The same pixels come from both directions, and for every tile,
- * arena and region.
+ * rounded to 1/16 of a pixel. A line that is at least as wide as it is high has one pixel in each column, from that of
+ * its left end to that of its right end, both included: the pixel that holds the point where the line passes the
+ * middle of the column or, where it ends before, its end. A steeper line has one pixel in each row, likewise. A point
+ * between two pixels belongs to the right or the lower one. The same pixels come from both directions, and for every
+ * tile, arena and region.
  *
- * A pixel's depth is that of this point, linear between the ends as that of a triangle is, and is tested and kept as a
- * triangle's: what is drawn later lies in front where it is nearer. A line counts as nearer to the eye than it is, by
- * the width of two pixels there: so it shows on a surface that it lies on, unless that leans by more than 75 degrees.
- * Lines do not count where the depth's scale is found: beside those in front of all objects none is nearer than
- * another, and where there are no objects, only the order counts.
+ * A pixel's depth is that of this point, linear between the ends as that of a triangle is, and is tested and stored as
+ * a triangle's is: a later line lies in front where it is nearer. A line counts as nearer to the eye than it is, by
+ * the width of two pixels there, so that it is visible on a surface that it lies on, unless that surface leans by more
+ * than 75 degrees. Lines do not count where the depth's scale is found: of lines in front of all objects none is
+ * nearer than another, and where there are no objects, only the order counts.
  */
 
-/** A line. Owned by the caller. */
+/** A line is owned by the caller. */
 typedef struct glint_line {
     glint_vector from, to; /**< Before the pose. */
     glint_colour colour;   /**< Each channel from 0 to GLINT_COLOUR_MAX. */
 } glint_line;
 
-/** What a line is on the screen. Owned by the caller; written by glint_lines_project only. */
+/** A segment is a line on the screen. The caller owns it; only glint_lines_project writes it. */
 typedef struct glint_segment {
     /** @privatesection */
     int16_t x[2], y[2];    /* its ends, 28.4 */
@@ -197,9 +198,9 @@ typedef struct glint_segment {
 } glint_segment;
 
 /**
- * Projects lines to the screen of a configuration, of which width and height are looked at. Ends are first taken to the
- * world, each coordinate rounded to nearest and saturated as glint_pose_apply does, and are then off by at most 1/64 of
- * a pixel, on and around the screen, before they are rounded.
+ * Projects lines to the screen of a configuration, whose width and height count. Ends are first taken to the world,
+ * each coordinate rounded to nearest and saturated as glint_pose_apply does. They are then off by at most 1/64 of a
+ * pixel, on and around the screen, before they are rounded.
  * @param segments `count` of them; like the lines, whose colours they point to, they stay until the frame is drawn
  * @param config,camera what they are seen with
  * @param pose of the lines, to the world
@@ -211,8 +212,8 @@ glint_status glint_lines_project(glint_segment *segments, const glint_config *co
                                  const glint_pose *pose, const glint_line *lines, uint32_t count);
 
 /**
- * Draws lines on a finished tile, for an overlay. Calls follow each other: what was drawn before hides what is drawn
- * behind it. Tiles of one frame may be drawn by several callers at once.
+ * Draws lines on a finished tile, for an overlay. Calls follow each other: lines of an earlier call hide what is drawn
+ * behind them. Tiles of one frame may be drawn by several callers at once.
  * @param tile what the overlay is given
  * @param segments `count` of them, projected
  * @param count how many
@@ -224,9 +225,9 @@ glint_status glint_lines_draw(const glint_tile *tile, const glint_segment *segme
 void glint_lines_box(glint_line lines[12], glint_vector from, glint_vector to, glint_colour colour);
 
 /**
- * Sets lines to the edges of a mesh, in object space, rounded to nearest and saturated; an edge of two triangles that
- * name the same two vertices once, and one with a vertex that the mesh does not have left out. For meshes of a few
- * hundred triangles: its time grows with their square.
+ * Sets lines to the edges of a mesh, in object space, rounded to nearest and saturated. An edge of two triangles that
+ * name the same two vertices is set once, an edge with a vertex that the mesh does not have is left out. This is for
+ * meshes of a few hundred triangles: its time grows with their square.
  * @param lines set
  * @param room how many fit in `lines`, which may be null where it is 0
  * @param mesh whose edges; with all that glint_render asks of it but for indices
@@ -238,25 +239,25 @@ uint32_t glint_lines_edges(glint_line *lines, uint32_t room, const glint_mesh *m
 /* ---- Only what changed ------------------------------------------------------------------------------------------- */
 
 /*
- * A panel keeps its picture: tiles that are what they were need not be sent. A filter between the renderer and the
- * panel's flush knows each by a signature of 64 bits, 8 bytes a tile of the caller's memory. Tiles that differ have
- * the same one with a chance of 2^-64, those that differ in four bytes only never.
+ * A panel keeps its picture: unchanged tiles need not be sent. A filter between the renderer and the panel's flush
+ * knows each tile by a signature of 64 bits, 8 bytes a tile of the caller's memory. Different tiles have the same
+ * signature with a chance of 2^-64; tiles that differ in four bytes only never have.
  *
  *     static glint_tile_signature signatures[80];               // glint_tile_signature_count(&config)
  *     glint_change_filter_init(&filter, signatures, &config);
  *     config.flush = glint_change_filter_flush(&filter);        // and then glint_init
  *
- * Tile size, format and arena are the configuration's own; a tile's pixels are aligned to 4 bytes, as the renderer has
- * them.
+ * Tile size, format and arena are the configuration's own. A tile's pixels are aligned to 4 bytes, as the renderer
+ * aligns them.
  */
 
-/** What a tile was sent as; 0 for one that has yet to be sent. */
+/** A signature identifies the pixels that a tile was sent with; 0 for a tile that has yet to be sent. */
 typedef struct glint_tile_signature {
     /** @privatesection */
     uint32_t a, b;
 } glint_tile_signature;
 
-/** A filter that lets only changed tiles pass to the panel. Owned by the caller. */
+/** A filter lets only changed tiles pass to the panel. The caller owns it. */
 typedef struct glint_change_filter {
     uint32_t sent, unchanged; /**< Tiles, since glint_change_filter_init. */
     /** @privatesection */
@@ -268,12 +269,12 @@ typedef struct glint_change_filter {
     uint8_t is_part; /* is a part of a tile on its way? */
 } glint_change_filter;
 
-/** How many signatures a configuration takes. @param config with which is drawn @return 0 when it is null or not valid
- */
+/** Returns how many signatures a configuration needs. @param config with which is drawn @return 0 when it is null or
+ * not valid */
 uint32_t glint_tile_signature_count(const glint_config *config);
 
 /**
- * Sets a filter up before config->flush; everything is yet to be sent. On failure the filter, if there is one, is all
+ * Sets a filter up before config->flush; all tiles have yet to be sent. On failure the filter, if there is one, is all
  * 0, and so is its flush, which glint_init refuses.
  * @param filter the filter
  * @param signatures glint_tile_signature_count of them, the caller's as long as the filter
@@ -283,17 +284,19 @@ uint32_t glint_tile_signature_count(const glint_config *config);
 glint_status glint_change_filter_init(glint_change_filter *filter, glint_tile_signature *signatures,
                                       const glint_config *config);
 
-/** Sends everything once more: for a panel that was started anew. A tile whose flush failed is sent again anyhow.
- * @param filter the filter */
+/**
+ * Sends all tiles again, for a panel that was restarted. A tile whose flush failed is sent again anyhow.
+ * @param filter the filter
+ */
 void glint_change_filter_forget(glint_change_filter *filter);
 
-/** The flush to draw with. @param filter the filter, which must outlive it @return the flush */
+/** Returns the flush to draw with. @param filter the filter, which must outlive it @return the flush */
 glint_flush glint_change_filter_flush(glint_change_filter *filter);
 
 /* ---- Tile by tile ------------------------------------------------------------------------------------------------ */
 
 /*
- * glint_render is a loop over these; use them to draw the tiles of a frame in another order, or on two cores:
+ * glint_render is a loop over these functions. Use them to draw the tiles of a frame in another order, or on two cores:
  *
  *     glint_frame_begin(&frame, &config, &scene);
  *     while ((status = glint_frame_next_pass(&frame)) > 0)      // a pass
@@ -302,14 +305,15 @@ glint_flush glint_change_filter_flush(glint_change_filter *filter);
  *                 send it, glint_tile_find says where;
  */
 
-/** Memory handed out from both ends; the bytes from `low` to `high` are free. */
+/** Memory is handed out from both ends. The bytes from `low` to `high` are free. */
 typedef struct glint_memory {
     /** @privatesection */
     uint8_t *base;
     size_t low, high;
 } glint_memory;
 
-/** Everything that drawing the tiles of a pass reads; written by glint_frame_begin and glint_frame_next_pass only. */
+/** A frame holds everything that drawing the tiles of a pass reads. Only glint_frame_begin and glint_frame_next_pass
+ * write it. */
 typedef struct glint_frame {
     uint16_t tile_first, tile_end; /**< Tiles of this pass: from the first to before the end. */
     glint_stats stats;             /**< So far. */
@@ -345,7 +349,7 @@ typedef struct glint_frame {
     struct glint_clipped *clipped; /* above the last; they grow downwards */
 } glint_frame;
 
-/** Bytes of the arena that a pass leaves free, for what one of its tiles finds and others take up. */
+/** Scratch bytes of the arena are left free by a pass. One of its tiles stores results there, and others use them. */
 typedef struct glint_spare {
     /** @privatesection */
     void *memory; /* aligned as the arena; null where there are none */
@@ -353,7 +357,7 @@ typedef struct glint_spare {
     uint32_t is_begun; /* not 0: something of this pass is there */
 } glint_spare;
 
-/** What drawing one tile needs. */
+/** A workspace holds what drawing one tile needs. */
 typedef struct glint_workspace {
     void *pixels;  /**< The finished tile. */
     size_t stride; /**< Bytes from row to row. */
@@ -364,7 +368,7 @@ typedef struct glint_workspace {
     glint_spare spare;
 } glint_workspace;
 
-/** Bytes of a workspace. @param config with which is drawn @return 0 when it is null or not valid */
+/** Returns the bytes of a workspace. @param config with which is drawn @return 0 when it is null or not valid */
 size_t glint_workspace_size(const glint_config *config);
 
 /**
@@ -389,9 +393,9 @@ glint_status glint_frame_begin(glint_frame *frame, const glint_config *config, c
 int glint_frame_next_pass(glint_frame *frame);
 
 /**
- * Draws what this pass holds of a tile from frame->tile_first to frame->tile_end - 1. Reads the frame, writes the
- * workspace and the tile's own list: callers with workspaces of their own may draw tiles of one pass at the same time,
- * each another. A tile that takes several passes must be drawn into the same workspace in each.
+ * Draws the part of a tile that this pass holds, from frame->tile_first to frame->tile_end - 1. It reads the frame and
+ * writes the workspace and the tile's own list: callers with workspaces of their own may draw different tiles of one
+ * pass at the same time. A tile that needs several passes must be drawn into the same workspace in each.
  * @param frame a pass is prepared of
  * @param workspace where it is drawn
  * @param tile its number
@@ -400,7 +404,7 @@ int glint_frame_next_pass(glint_frame *frame);
 int glint_render_tile(const glint_frame *frame, glint_workspace *workspace, uint32_t tile);
 
 /**
- * Where a tile lies on the screen, in pixels, cut at the screen's edges and at the region's.
+ * Finds where a tile lies on the screen, in pixels, cut at the screen's edges and at the region's.
  * @param frame of which it is
  * @param tile its number
  * @param x,y,width,height set
@@ -408,7 +412,7 @@ int glint_render_tile(const glint_frame *frame, glint_workspace *workspace, uint
 void glint_tile_rectangle(const glint_frame *frame, uint32_t tile, int *x, int *y, int *width, int *height);
 
 /**
- * The same, with its pixels and its depth.
+ * Finds a tile with its pixels and its depth.
  * @param frame of which it is
  * @param workspace that holds it
  * @param tile its number
