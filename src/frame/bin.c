@@ -77,16 +77,11 @@ static inline int list_in_range(glint_frame *frame, const glint_range *range, ui
 
 /* ---- Triangles that are clipped ---- */
 
-static size_t room(const glint_frame *frame) {
-    const uint8_t *low = (const uint8_t *)(frame->references + frame->reference_count);
-    return (size_t)((const uint8_t *)frame->clipped - low);
-}
-
 /* Is there room for all that clipping a triangle can make, in one tile? A pass of one tile never stops half way. */
 static int has_room_for_clipped(const glint_frame *frame) {
     const uint32_t most_made = GLINT_CLIP_CORNERS - 2;
     const size_t clipped = (size_t)(frame->memory.base + frame->memory.high - (const uint8_t *)frame->clipped);
-    return room(frame) >= most_made * (sizeof(glint_clipped) + sizeof(glint_reference)) &&
+    return glint_free_bytes(frame) >= most_made * (sizeof(glint_clipped) + sizeof(glint_reference)) &&
            frame->reference_count + most_made <= GLINT_LIST_END &&
            clipped <= (GLINT_CLIPPED_TOP - GLINT_TRIANGLES_MAX - most_made) * sizeof(glint_clipped);
 }
@@ -129,7 +124,7 @@ static GLINT_NOINLINE int list_clipped(glint_frame *frame, glint_draw *draw, uin
     for (int last = 2; last < count; last++) {
         glint_clipped *part = frame->clipped - 1;
         const glint_vertex *const v[3] = {&part->corners[0], &part->corners[1], &part->corners[2]};
-        if (room(frame) < sizeof *part) /* a pass of many tiles can run out of room half way */
+        if (glint_free_bytes(frame) < sizeof *part) /* a pass of many tiles can run out of room half way */
             return 0;
         for (int i = 0; i < 3; i++)
             finish_corner(frame, &draw->transform, &corners[i ? last - 2 + i : 0], &part->corners[i], part->extra[i]);

@@ -149,9 +149,7 @@ glint_status glint_frame_begin(glint_frame *frame, const glint_config *config, c
 
 /* Brings stats.arena_used up to date after binning. */
 static void count_arena(glint_frame *frame) {
-    const uint8_t *base = frame->memory.base;
-    const uint8_t *low = (const uint8_t *)(frame->references + frame->reference_count);
-    size_t used = (size_t)(low - base) + (size_t)(base + frame->memory.high - (const uint8_t *)frame->clipped);
+    const size_t used = frame->memory.high - glint_free_bytes(frame);
     if (used > frame->stats.arena_used)
         frame->stats.arena_used = (uint32_t)used;
 }
@@ -186,11 +184,10 @@ static int is_cramped(const glint_frame *frame) {
  * of the triangles. */
 static glint_status bin_tiles(glint_frame *frame) {
     const uint32_t object = frame->object, triangle = frame->triangle;
-    const uint32_t triangles = frame->stats.triangles, away = frame->stats.facing_away, outside = frame->stats.outside,
-                   clipped = frame->stats.clipped;
     int complete = 0;
     for (;;) {
-        uint32_t end = (uint32_t)frame->tile_first + frame->pass_tiles;
+        const uint32_t end = (uint32_t)frame->tile_first + frame->pass_tiles;
+        const glint_stats before = frame->stats;
         frame->tile_end = (uint16_t)(end < frame->loaded_end ? end : frame->loaded_end);
         glint_status status = glint_bin(frame, &complete);
         if (status != GLINT_OK)
@@ -200,10 +197,7 @@ static glint_status bin_tiles(glint_frame *frame) {
         frame->pass_tiles = (uint16_t)find_fewer(frame, glint_pass_tiles(frame));
         frame->object = object;
         frame->triangle = triangle;
-        frame->stats.triangles = triangles;
-        frame->stats.facing_away = away;
-        frame->stats.outside = outside;
-        frame->stats.clipped = clipped;
+        frame->stats = before;
         if (is_cramped(frame)) {
             frame->resident = 0;
             status = glint_load(frame);

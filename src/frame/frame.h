@@ -49,6 +49,11 @@ typedef struct glint_bin_pass {
 /** Puts triangles from (frame->object, frame->triangle) on into the lists of the pass's tiles. */
 glint_status glint_bin(glint_frame *frame, int *complete);
 
+/** Returns the free bytes between references and clipped triangles. */
+static inline size_t glint_free_bytes(const glint_frame *frame) {
+    return (size_t)((const uint8_t *)frame->clipped - (const uint8_t *)(frame->references + frame->reference_count));
+}
+
 /**
  * Returns where the last object's transform waits, from when the view is prepared until vertices are loaded: at the
  * arena's high end, which nothing else uses then. Transforms of objects before it wait below, as long as nothing needs

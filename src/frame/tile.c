@@ -69,12 +69,18 @@ void glint_workspace_init(glint_workspace *workspace, const glint_config *config
     workspace->spare = (glint_spare){0, 0, 0};
 }
 
+/* Finds the first pixel of a tile on the screen, wherever the region begins. */
+static void find_first_pixel(const glint_frame *frame, uint32_t tile, int *x, int *y) {
+    const uint32_t row = tile / frame->tile_columns, column = tile % frame->tile_columns;
+    *x = (int)((column + frame->first_column) << frame->tile_shift_x);
+    *y = (int)((row + frame->first_row) << frame->tile_shift_y);
+}
+
 /* Finds where a tile lies, and how far its part of the region begins from its first pixel. */
 static void cut_tile(const glint_frame *frame, uint32_t tile, glint_tile *to, uint32_t *across, uint32_t *down) {
     const glint_config *const config = &frame->config;
-    const uint32_t row = tile / frame->tile_columns, column = tile % frame->tile_columns;
-    const int x = (int)((column + frame->first_column) << frame->tile_shift_x),
-              y = (int)((row + frame->first_row) << frame->tile_shift_y);
+    int x, y;
+    find_first_pixel(frame, tile, &x, &y);
     to->x = glint_most(x, config->region.x);
     to->y = glint_most(y, config->region.y);
     to->width = glint_least(x + config->tile_width, frame->right) - to->x;
@@ -269,9 +275,8 @@ static inline void find_triangle(glint_row_walk *walk, plain_triangles *plain, u
 /* Places a tile. It is drawn from its first pixel on, wherever the region begins, to the region's end. */
 static void place_tile(const glint_frame *frame, glint_window *window, uint32_t tile) {
     const glint_config *const config = &frame->config;
-    const uint32_t row = tile / frame->tile_columns, column = tile % frame->tile_columns;
-    const int x = (int)((column + frame->first_column) << frame->tile_shift_x);
-    const int y = (int)((row + frame->first_row) << frame->tile_shift_y);
+    int x, y;
+    find_first_pixel(frame, tile, &x, &y);
     glint_window_begin(window, x, y, glint_least(config->tile_width, frame->right - x),
                        glint_least(config->tile_height, frame->bottom - y));
 }

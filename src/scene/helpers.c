@@ -106,11 +106,7 @@ static int64_t to_thirty_bits(const int64_t in[3], int64_t v[3]) {
         v[i] = shift > 0 ? glint_shift_right64(in[i], (unsigned)shift) : in[i] * ((int64_t)1 << -shift);
         square += (uint64_t)(v[i] * v[i]);
     }
-    uint64_t root = 0; /* floor of the square root, a bit at a time */
-    for (uint64_t bit = (uint64_t)1 << 31; bit; bit >>= 1)
-        if ((root + bit) * (root + bit) <= square)
-            root += bit;
-    return (int64_t)root;
+    return glint_square_root(square);
 }
 
 /* Brings (x, y, z) to length 1 in Q16.16. @return 0 when its length is 0 */

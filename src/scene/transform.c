@@ -317,12 +317,7 @@ static int32_t to_units(int64_t w, int shift) {
 
 /* Sums up the magnitudes of three entries and a translation. */
 static uint32_t row_sum(const glint_row *row, int32_t t) {
-    uint32_t sum = (uint32_t)(t < 0 ? -t : t);
-    for (int j = 0; j < 3; j++) {
-        const int32_t entry = glint_row_get(row, j);
-        sum += (uint32_t)(entry < 0 ? -entry : entry);
-    }
-    return sum;
+    return (uint32_t)extent_of(row) + magnitude(t);
 }
 
 /* Sets entries of 16 bits and a translation of 31, 2^up times as large as those of clip space. */
