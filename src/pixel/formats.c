@@ -4,12 +4,6 @@
 
 /* ---- What formats share ---- */
 
-const uint8_t glint_dither_matrix[64] = {
-    1,  65, 17,  81, 5,   69, 21,  85, 97,  33, 113, 49, 101, 37, 117, 53, 25,  89, 9,   73, 29,  93,
-    13, 77, 121, 57, 105, 41, 125, 61, 109, 45, 7,   71, 23,  87, 3,   67, 19,  83, 103, 39, 119, 55,
-    99, 35, 115, 51, 31,  95, 15,  79, 27,  91, 11,  75, 127, 63, 111, 47, 123, 59, 107, 43,
-};
-
 /* Draws a span of one colour where rounding may take the plane of 1/w below the least depth, which then counts. */
 static void draw_deep(glint_row_walk *walk, int32_t row, int32_t left, int32_t right) {
     uint32_t z = glint_z_at(walk, row, left), pixel = ((uint32_t)row << walk->shift) + (uint32_t)left;
@@ -127,15 +121,15 @@ GLINT_DEFINE_FORMAT(grey4, 4, GLINT_ROW_EDGE, 0, 0, 0, pack_grey4, put_grey4, gl
 
 /* ---- One bit: the left pixel of eight is in the lowest bit of their byte ---- */
 
-static GLINT_SPECIAL uint32_t pack_mono(const int32_t colour[3], uint32_t threshold) {
+static inline uint32_t pack_mono(const int32_t colour[3], uint32_t threshold) {
     return glint_luma_level(colour, 1, threshold);
 }
 
-static GLINT_SPECIAL uint32_t pack_spread_mono(uint32_t word, uint32_t threshold) {
+static inline uint32_t pack_spread_mono(uint32_t word, uint32_t threshold) {
     return glint_spread_luma(word, 1, threshold);
 }
 
-static GLINT_INLINE void put_bit(uint8_t *eight, uint32_t bit, uint32_t packed) {
+static inline void put_bit(uint8_t *eight, uint32_t bit, uint32_t packed) {
     *eight = (uint8_t)((*eight & ~(1u << bit)) | packed << bit);
 }
 
@@ -156,8 +150,8 @@ static inline void put_mono_pages(const glint_target *target, uint32_t offset, u
 }
 
 /* Fills 8 columns of a page and copies them to all others. */
-static GLINT_INLINE void fill_pages(const glint_target *t, uint32_t height, const int32_t colour[3], uint32_t bits,
-                                    glint_pack_colour pack_one, glint_put put_one) {
+static inline void fill_pages(const glint_target *t, uint32_t height, const int32_t colour[3], uint32_t bits,
+                              glint_pack_colour pack_one, glint_put put_one) {
     (void)bits;
     for (uint32_t i = 0; i < 64; i++) {
         const uint32_t offset = (i >> 3 << t->shift) + (i & 7);

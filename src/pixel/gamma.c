@@ -127,6 +127,15 @@ uint32_t glint_pack(const glint_format *format, glint_lanes lanes) {
     return glint_pack_lanes(lanes, format->channel[0], glint_green_bits(format));
 }
 
+/* ---- Dithering ---- */
+
+/* This table stays out of formats.c: compilers that know its entries peel the first one off loops, which costs more. */
+const uint8_t glint_dither_matrix[64] = {
+    1,  65, 17,  81, 5,   69, 21,  85, 97,  33, 113, 49, 101, 37, 117, 53, 25,  89, 9,   73, 29,  93,
+    13, 77, 121, 57, 105, 41, 125, 61, 109, 45, 7,   71, 23,  87, 3,   67, 19,  83, 103, 39, 119, 55,
+    99, 35, 115, 51, 31,  95, 15,  79, 27,  91, 11,  75, 127, 63, 111, 47, 123, 59, 107, 43,
+};
+
 /* ---- sRGB ---- */
 
 /* This is the output table of displays that expect sRGB (IEC 61966-2-1). Suite `numbers` holds it against the formula.
