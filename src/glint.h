@@ -560,9 +560,8 @@ typedef struct glint_config {
 
 /* ---- Errors ------------------------------------------------------------------------------------------------------ */
 
-/**
- * Every function that can fail returns a status, those of panels and boards too. `glint_strerror` gives the sentence.
- */
+/** Every function that can fail returns a status, those of panels and boards too. `glint_strerror` gives the
+ * sentence. */
 typedef enum glint_status {
     GLINT_OK = 0,
     GLINT_ERROR_NULL = -1,         /**< A required pointer is null. */

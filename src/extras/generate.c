@@ -13,9 +13,8 @@ typedef struct builder {
     uint32_t vertices, triangles;
 } builder;
 
-/*
- * A point of a profile has a distance from the axis, a height, both in units of the mesh's extent, and a normal; Q30.
- */
+/* A point of a profile has a distance from the axis, a height, both in units of the mesh's extent, and a normal;
+ * Q30. */
 typedef struct profile_point {
     int32_t radius, z, normal_radius, normal_z;
 } profile_point;

@@ -147,13 +147,6 @@ glint_status glint_frame_begin(glint_frame *frame, const glint_config *config, c
     return status;
 }
 
-/* Brings stats.arena_used up to date after binning. */
-static void count_arena(glint_frame *frame) {
-    const size_t used = frame->memory.high - glint_free_bytes(frame);
-    if (used > frame->stats.arena_used)
-        frame->stats.arena_used = (uint32_t)used;
-}
-
 /* Goes on where the last pass stopped. @return 0 when the frame is done */
 static int advance(glint_frame *frame) {
     if (frame->stats.passes == 0)
@@ -175,11 +168,6 @@ static uint32_t find_fewer(const glint_frame *frame, uint32_t tiles) {
     return tiles > 2 * quarter ? 2 * quarter : quarter;
 }
 
-/* Are all objects loaded, but so little room is left that a pass would have few tiles? */
-static int is_cramped(const glint_frame *frame) {
-    return frame->resident && frame->pass_tiles < glint_quarter_of_tiles(frame);
-}
-
 /* Bins for as many tiles as the arena allows, and loads parts where these would be few. A single tile may get a part
  * of the triangles. */
 static glint_status bin_tiles(glint_frame *frame) {
@@ -198,7 +186,7 @@ static glint_status bin_tiles(glint_frame *frame) {
         frame->object = object;
         frame->triangle = triangle;
         frame->stats = before;
-        if (is_cramped(frame)) {
+        if (frame->resident && frame->pass_tiles < glint_quarter_of_tiles(frame)) {
             frame->resident = 0;
             status = glint_load(frame);
             if (status != GLINT_OK)
@@ -227,7 +215,9 @@ int glint_frame_next_pass(glint_frame *frame) {
     const glint_status status = begin_pass(frame);
     if (status != GLINT_OK)
         return status;
-    count_arena(frame);
+    const size_t used = frame->memory.high - glint_free_bytes(frame);
+    if (used > frame->stats.arena_used)
+        frame->stats.arena_used = (uint32_t)used;
     frame->stats.references += frame->reference_count - glint_pass_tiles(frame);
     frame->stats.passes++;
     frame->stats.tiles += frame->ends ? glint_pass_tiles(frame) : 0;

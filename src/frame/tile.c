@@ -143,10 +143,6 @@ void glint_fill_words(void *bytes, uint32_t word, size_t size) {
     glint_repeat(bytes, sizeof word, size);
 }
 
-static uint32_t tile_pixels(const glint_config *config) {
-    return (uint32_t)config->tile_width * config->tile_height;
-}
-
 static int paint(const glint_painter *painter, const glint_frame *frame, const glint_workspace *workspace,
                  uint32_t tile) {
     glint_tile of;
@@ -360,7 +356,8 @@ int glint_render_tile(const glint_frame *frame, glint_workspace *workspace, uint
         if (clear(frame, workspace, tile))
             return GLINT_ERROR_PAINT;
         if (!glint_tile_is_empty(frame, tile) || frame->config.overlay.paint)
-            glint_fill_words(workspace->depth, 0, tile_pixels(&frame->config) * sizeof *workspace->depth);
+            glint_fill_words(workspace->depth, 0,
+                             (size_t)frame->config.tile_width * frame->config.tile_height * sizeof *workspace->depth);
     }
     if (frame->references[tile - frame->tile_first].next != GLINT_LIST_END)
         draw_triangles(frame, workspace, tile);

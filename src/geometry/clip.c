@@ -32,15 +32,9 @@ static int32_t mix_ends(int32_t a, int32_t b, int64_t t) {
     return (int32_t)(a + glint_round_shift64(((int64_t)b - a) * t, 31));
 }
 
-/*
- * Returns where an edge crosses a plane, Q31 from 0 to 1, given distances inside >= 0 > outside, at most 2^31 from 0.
- */
-static int64_t crossing(int64_t inside, int64_t outside) {
-    return inside * ((int64_t)1 << 31) / (inside - outside);
-}
-
+/* Cuts an edge at a plane, given distances inside >= 0 > outside, at most 2^31 from 0. */
 static void cut(const glint_corner *from, const glint_corner *to, int64_t inside, int64_t outside, glint_corner *out) {
-    const int64_t t = crossing(inside, outside);
+    const int64_t t = inside * ((int64_t)1 << 31) / (inside - outside); /* Q31, from 0 to 1 */
     out->position.x = mix_ends(from->position.x, to->position.x, t);
     out->position.y = mix_ends(from->position.y, to->position.y, t);
     out->position.w = mix_ends(from->position.w, to->position.w, t);

@@ -20,8 +20,8 @@ static inline int32_t to_inverse_w(int32_t nearest, uint32_t inverse) {
 
 /* Projects clip coordinates inside the guard band and beyond the near plane. w is from 1 up and no less than the
  * nearest. */
-static GLINT_INLINE void project_inline(const glint_transform *transform, int32_t x, int32_t y, int32_t w,
-                                        glint_vertex *vertex) {
+static GLINT_SPECIAL void project(const glint_transform *transform, int32_t x, int32_t y, int32_t w,
+                                  glint_vertex *vertex) {
     int32_t nearest = transform->nearest;
     if (w < 1 << 28) {
         unsigned up = 1;
@@ -41,17 +41,11 @@ static GLINT_INLINE void project_inline(const glint_transform *transform, int32_
     vertex->y = (int16_t)glint_shift_right(y, 11);
 }
 
-static void project(const glint_transform *transform, int32_t x, int32_t y, int32_t w, glint_vertex *vertex) {
-    project_inline(transform, x, y, w, vertex);
-}
-
 void glint_project(const glint_transform *transform, const glint_position *position, glint_vertex *vertex) {
-    if (transform->clips & GLINT_PARALLEL) {
-        project(transform, position->x, position->y, transform->nearest, vertex);
+    const int is_parallel = transform->clips & GLINT_PARALLEL;
+    project(transform, position->x, position->y, is_parallel ? transform->nearest : position->w, vertex);
+    if (is_parallel)
         vertex->inverse_w = position->w;
-        return;
-    }
-    project(transform, position->x, position->y, position->w, vertex);
 }
 
 static int is_outside(int32_t x, int32_t y, int32_t w, int32_t near_plane) {
@@ -111,25 +105,12 @@ static GLINT_NOINLINE void transform_brief(const glint_transform *transform, con
     }
 }
 
-/* Transforms vertices of objects that are not clipped and whose positions are not kept. */
-static GLINT_NOINLINE void transform_inside(const glint_transform *transform, const int16_t (*p)[3], uint32_t first,
-                                            uint32_t count, glint_vertex *vertex) {
-    for (const glint_vertex *end = vertex + count; vertex < end; vertex++, p++, first++) {
-        if (!GLINT_SPLIT_PRODUCTS)
-            GLINT_OPAQUE(transform); /* otherwise the matrix is copied to the stack, which saves no load */
-        GLINT_OPAQUE(vertex);        /* otherwise gcc counts differently */
-        GLINT_OPAQUE(p);
-        const glint_position here = to_clip_space(transform, *p);
-        vertex->attribute[0] = (int16_t)(uint16_t)first;
-        vertex->flags = 0;
-        project_inline(transform, here.x, here.y, here.w, vertex);
-    }
-}
-
-/* Transforms vertices that may be clipped or whose positions are kept; in a library built for size, any. */
-static GLINT_NOINLINE void transform_kept(const glint_transform *transform, const int16_t (*p)[3], uint32_t first,
+/* Transforms vertices that the short matrix does not serve, and keeps their positions where there is room for them. */
+static GLINT_NOINLINE void transform_long(const glint_transform *transform, const int16_t (*p)[3], uint32_t first,
                                           uint32_t count, glint_vertex *vertex, glint_position *position) {
     for (const glint_vertex *end = vertex + count; vertex < end; vertex++, p++, first++) {
+        GLINT_OPAQUE(vertex); /* otherwise gcc counts differently */
+        GLINT_OPAQUE(p);
         const glint_position here = to_clip_space(transform, *p);
         vertex->attribute[0] = (int16_t)(uint16_t)first;
         vertex->flags = 0;
@@ -152,12 +133,11 @@ static GLINT_INLINE void transform_all(const glint_transform *transform, const i
         transform_brief(transform, p, first, count, vertex);
         for (uint32_t i = 0; i < count && position; i++)
             position[i] = to_clip_space(transform, p[i]);
-    } else if (!position && !GLINT_SMALL)
-        transform_inside(transform, p, first, count, vertex);
-    else if (transform->clips & GLINT_PARALLEL)
+    } else if (transform->clips & GLINT_PARALLEL) {
         transform_parallel(transform, p, first, count, vertex, position);
-    else
-        transform_kept(transform, p, first, count, vertex, position);
+    } else {
+        transform_long(transform, p, first, count, vertex, position);
+    }
 }
 
 void glint_transform_array(const glint_transform *transform, const glint_mesh *mesh, uint32_t first, uint32_t count,

@@ -97,9 +97,8 @@ enum { GLINT_OF_POSITIONS = 1, GLINT_OF_NORMALS = 2, GLINT_OF_TRIANGLES = 4, GLI
 
 struct glint_attribute_type {
     uint8_t uses, size, alignment;
-    /**
-     * Decodes `count` attributes to three numbers each, as the arrays of a mesh have them. 1 of a colour is 2^15 - 1.
-     */
+    /** Decodes `count` attributes to three numbers each, as the arrays of a mesh have them. 1 of a colour is 2^15 -
+     * 1. */
     void (*fetch)(const uint8_t *from, size_t stride, uint32_t count, int16_t (*to)[3]);
     const glint_layout_stage *stage;
 };

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Ramps: tables of packed colours, of what a material makes of N.L and of the angle from its highlight; suns.h. */
-#include "../scene/arena.h"
 #include "../math/numeric.h"
+#include "../scene/arena.h"
 #include "lamps.h"
 #include "suns.h"
 

@@ -2,8 +2,8 @@
 /* Shading: what a material makes of the scene's lights, and which of them show. */
 #include "shading.h"
 
-#include "../scene/arena.h"
 #include "../math/product.h"
+#include "../scene/arena.h"
 
 /* Products of two colours with `bits` fractional bits. @return the largest, below 0 when one passes GLINT_COLOUR_MAX.
  */

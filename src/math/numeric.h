@@ -251,9 +251,8 @@ static inline int32_t glint_dot32(const int32_t a[3], const int32_t b[3]) {
  * Newton step from a 16-bit division. */
 uint32_t glint_reciprocal(uint32_t x);
 
-/**
- * Computes the binary logarithm of x / 2^31, x from 1 to 2^31: Q26, -31 to 0, off by at most 1.93 steps. 0 gives -32.
- */
+/** Computes the binary logarithm of x / 2^31, x from 1 to 2^31: Q26, -31 to 0, off by at most 1.93 steps. 0 gives
+ * -32. */
 int32_t glint_log2(uint32_t x);
 
 /** Computes 2^y for y Q26, 0 or below: Q30, at most 2^30, off by at most 12.8 steps. */

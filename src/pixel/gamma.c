@@ -12,17 +12,15 @@ static inline int32_t look_up(const uint16_t *table, int32_t channel) {
     return (value + glint_shift_right(value, 15)) * (1 << (GLINT_CHANNEL_BITS - 16));
 }
 
-/* Looks one channel of some colours up, and brings it to levels. */
-static void look_up_all(const uint16_t *table, unsigned bits, int32_t (*colour)[3], int c, uint32_t count) {
-    for (uint32_t i = 0; i < count; i++)
-        colour[i][c] = glint_to_levels(look_up(table, colour[i][c]), bits);
-}
-
 void glint_finish_colours(const glint_config *config, int32_t (*colour)[3], uint32_t count) {
     const uint8_t *const bits = config->format->channel;
     if (config->gamma) {
-        for (int c = 0; c < 3; c++)
-            look_up_all(config->gamma[c], bits[c], colour, c, count);
+        for (int c = 0; c < 3; c++) {
+            const uint16_t *const table = config->gamma[c];
+            const unsigned level_bits = bits[c];
+            for (uint32_t i = 0; i < count; i++)
+                colour[i][c] = glint_to_levels(look_up(table, colour[i][c]), level_bits);
+        }
         return;
     }
     for (uint32_t i = 0; i < count; i++)

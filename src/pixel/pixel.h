@@ -84,7 +84,7 @@ static inline uint32_t glint_luma(const int32_t colour[3]) {
 }
 
 /** Returns luma as one of 0 to `top` levels. */
-static inline uint32_t glint_luma_level(const int32_t colour[3], uint32_t top, uint32_t threshold) {
+static GLINT_INLINE uint32_t glint_luma_level(const int32_t colour[3], uint32_t top, uint32_t threshold) {
     return (glint_luma(colour) * top + (threshold << 11)) >> 18;
 }
 
@@ -265,9 +265,8 @@ static GLINT_INLINE void glint_draw_smooth_span(const glint_row_walk *w, int32_t
     } while (depth != end);
 }
 
-/**
- * Defines the functions of a format, whose names end in `suffix`. `fill_tile` is glint_fill_tile, or the format's own.
- */
+/** Defines the functions of a format, whose names end in `suffix`. `fill_tile` is glint_fill_tile, or the format's
+ * own. */
 #define GLINT_DEFINE_STORES(suffix, bits, pack, put, fill_tile, is_dithered)                                    \
     static void store_list_##suffix(void *pixels, unsigned shift, const glint_list_pixel *pixel, size_t stride, \
                                     uint32_t count) {                                                           \

@@ -31,7 +31,7 @@ static inline int glint_is_nearest(uint8_t *place, uint32_t z) {
 #endif
 
 /** Tests the depth at `*place` as glint_is_nearest does, and steps on where GLINT_AHEAD says so. */
-static inline int glint_next_is_nearest(uint8_t **place, uint32_t z) {
+static GLINT_INLINE int glint_next_is_nearest(uint8_t **place, uint32_t z) {
     if (!GLINT_AHEAD)
         return glint_is_nearest(*place, z);
     const uint32_t there = *(const uint16_t *)(const void *)*place;
@@ -44,7 +44,7 @@ static inline int glint_next_is_nearest(uint8_t **place, uint32_t z) {
 }
 
 /** Steps on where glint_next_is_nearest has not. */
-static inline void glint_step(uint8_t **place) {
+static GLINT_INLINE void glint_step(uint8_t **place) {
     if (GLINT_AHEAD)
         return;
     *place += 2;

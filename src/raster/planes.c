@@ -43,9 +43,8 @@ static GLINT_NOINLINE void widen(glint_gradients *g, uint32_t area, uint32_t zer
  * products without rounding, times 1/area. A plane's value at a pixel of the triangle is then off by at most 2^-15 of
  * the corners' difference, or of 2^17 if they differ by less; 2^-12 where the area is below a pixel, 2^-10 below 1/32;
  * and a step for each pixel from the anchor.
- * @return whether the triangle is narrow
  */
-static inline int gradients_begin(glint_gradients *g, uint32_t area, int steep) {
+static inline void set_gradients(glint_gradients *g, uint32_t area, int steep) {
     const uint32_t reach = glint_magnitude_bits(g->x2) | glint_magnitude_bits(g->y2) | glint_magnitude_bits(g->x1) |
                            glint_magnitude_bits(g->y1);
     g->reach = reach;
@@ -55,11 +54,10 @@ static inline int gradients_begin(glint_gradients *g, uint32_t area, int steep) 
         g->shift = 0;
         if (glint_slenderness(g, (int32_t)area) <= GLINT_SLENDER)
             widen(g, area, zeros);
-        return 0;
+        return;
     }
     g->reciprocal = glint_reciprocal16(((area << zeros >> 15) + 1) >> 1);
     g->shift = 31 - (int32_t)zeros;
-    return 1;
 }
 
 static inline int32_t high_sum(int32_t d1, int32_t g1, int32_t d2, int32_t g2) {
@@ -178,23 +176,11 @@ static inline int is_steep(int32_t w, int32_t w1, int32_t w2) {
     return w < least || w1 < least || w2 < least;
 }
 
-/* Begins the depth of any triangle; in a library built for size, that of every one. */
-static GLINT_NOINLINE void begin_depth(glint_part *part, const glint_triangle *t) {
-    const int32_t w = t->corners[0]->inverse_w, w1 = t->corners[1]->inverse_w, w2 = t->corners[2]->inverse_w;
-    glint_plane_begin(&part->depth, &part->gradients, w, w1, w2);
-    if (comes_near(w1 | w2))
-        keep_below_top(part, t);
-}
-
 void glint_setup(glint_part *part, glint_triangle *t) {
     const int32_t w = t->corners[0]->inverse_w, w1 = t->corners[1]->inverse_w, w2 = t->corners[2]->inverse_w;
     begin_sides(part, t);
-    if (!gradients_begin(&part->gradients, (uint32_t)t->area, is_steep(w, w1, w2)) || GLINT_SMALL) {
-        begin_depth(part, t);
-        return;
-    }
-    const int32_t either = w1 | w2;
-    begin_narrow(&part->depth, &part->gradients, w, w1 - w, w2 - w);
-    if (comes_near(either))
+    set_gradients(&part->gradients, (uint32_t)t->area, is_steep(w, w1, w2));
+    glint_plane_begin(&part->depth, &part->gradients, w, w1, w2);
+    if (comes_near(w1 | w2))
         keep_below_top(part, t);
 }

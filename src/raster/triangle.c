@@ -15,9 +15,8 @@ void glint_window_begin(glint_window *window, int x, int y, int width, int heigh
 }
 
 /* ---- Any triangle ---- */
-/*
- * An exact side on its way down is at the first column at or right of the side, and rest / divisor of a column beyond.
- */
+/* An exact side on its way down is at the first column at or right of the side, and rest / divisor of a column
+ * beyond. */
 typedef struct exact_side {
     int32_t column, rest, step, step_rest, divisor;
 } exact_side;

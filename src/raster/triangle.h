@@ -69,9 +69,8 @@ void glint_window_begin(glint_window *window, int x, int y, int width, int heigh
 
 /* ---- Planes ---- */
 
-/**
- * Sets gradients, area and depth plane of a triangle from its corners, counter-clockwise; the rest of the part stays.
- */
+/** Sets gradients, area and depth plane of a triangle from its corners, counter-clockwise; the rest of the part
+ * stays. */
 void glint_setup(glint_part *part, glint_triangle *triangle);
 
 /** Begins the plane of an attribute that is a0, a1, a2 at the corners; these are below 2^31 apart. Slivers have slopes
@@ -216,12 +215,12 @@ int glint_find_visible_row(glint_row_walk *walk);
 void glint_walk_small(glint_row_walk *walk);
 
 /** Returns 1/w, with GLINT_DEPTH_BIAS, of the tile's pixel at a row and a column; modulo 2^32. */
-static inline uint32_t glint_z_at(const glint_row_walk *walk, int32_t row, int32_t column) {
+static GLINT_INLINE uint32_t glint_z_at(const glint_row_walk *walk, int32_t row, int32_t column) {
     return (uint32_t)walk->z.start + (uint32_t)walk->z.dy * (uint32_t)row + (uint32_t)walk->z.dx * (uint32_t)column;
 }
 
 /** Returns the interpolated colour of that pixel. */
-static inline glint_lanes glint_lanes_at(const glint_row_walk *walk, int32_t row, int32_t column) {
+static GLINT_INLINE glint_lanes glint_lanes_at(const glint_row_walk *walk, int32_t row, int32_t column) {
     const glint_lanes *l = walk->lanes;
     const uint32_t x = (uint32_t)column, y = (uint32_t)row;
     return (glint_lanes){l[0].red_blue + l[1].red_blue * x + l[2].red_blue * y,

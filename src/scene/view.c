@@ -80,13 +80,6 @@ static glint_status prepare_lights(glint_view *view, const glint_scene *scene) {
     return GLINT_OK;
 }
 
-/* Brings lights with positions to the units of the depth's scale. */
-static void place_lights(glint_view *view, const glint_scene *scene) {
-    for (uint32_t i = 0; i < scene->light_count; i++)
-        if (scene->lights[i].type->place)
-            scene->lights[i].type->place(&scene->lights[i], &view->lights[i], view);
-}
-
 /* Returns the larger of a w, Q28, and that of the farthest corner of an object's bounding box. */
 static GLINT_NOINLINE int64_t farther(int64_t farthest, const glint_transform *transform) {
     const int64_t w = 2 * (int64_t)transform->translation[2] - transform->least_w + 2;
@@ -142,7 +135,8 @@ glint_status glint_prepare_view(glint_view *view, const glint_config *config, co
     glint_status status = prepare_lights(view, scene);
     if (status == GLINT_OK)
         status = prepare_nearest(view, config, scene, last, count);
-    if (status == GLINT_OK)
-        place_lights(view, scene);
+    for (uint32_t i = 0; i < scene->light_count && status == GLINT_OK; i++)
+        if (scene->lights[i].type->place)
+            scene->lights[i].type->place(&scene->lights[i], &view->lights[i], view);
     return status;
 }

@@ -178,9 +178,8 @@ int glint_camera_is_valid(const glint_camera *camera);
  */
 int glint_light_to_camera(const glint_view *view, const glint_light *light, int opposite, int16_t out[3]);
 
-/**
- * Returns x / 2^shift, rounded to nearest, halves up. The shift is from -62 to 62, |x| and the result are below 2^62.
- */
+/** Returns x / 2^shift, rounded to nearest, halves up. The shift is from -62 to 62, |x| and the result are below
+ * 2^62. */
 int64_t glint_shift_round64(int64_t x, int shift);
 
 /** Scales a vector of 64 bits to 30 bits and keeps its direction. @return n: the vector is 2^n times the result */
