@@ -129,8 +129,10 @@ typedef struct glint_pose {
 
 /* ---- Meshes ------------------------------------------------------------------------------------------------------ */
 
-/** The end of this header has the layout and the clusters of a mesh. */
+/** A layout stores attributes of a mesh otherwise than its arrays do: see the end of this header. */
 typedef struct glint_mesh_layout glint_mesh_layout;
+
+/** Clusters of a mesh let many triangles be dropped at once: see the end of this header. */
 typedef struct glint_clusters glint_clusters;
 
 /** Triangles are drawn from both sides. Seen from the back they are lit with the normal flipped. */
@@ -743,11 +745,17 @@ extern const glint_attribute_type glint_attribute_octahedral16;
  * from the nearest. */
 extern const glint_attribute_type glint_attribute_octahedral8;
 
-/** Triangles are three uint16, 6 bytes, aligned to 2; or three uint8, 3 bytes, for up to 256 vertices. */
-extern const glint_attribute_type glint_attribute_uint16, glint_attribute_uint8;
+/** Triangles are three uint16: 6 bytes, aligned to 2. */
+extern const glint_attribute_type glint_attribute_uint16;
 
-/** Colours are red, green and blue times 255, 3 bytes; or RGB565, 2 bytes, aligned to 2. */
-extern const glint_attribute_type glint_attribute_rgb888, glint_attribute_rgb565;
+/** Triangles are three uint8, for up to 256 vertices: 3 bytes. */
+extern const glint_attribute_type glint_attribute_uint8;
+
+/** Colours are red, green and blue times 255: 3 bytes. */
+extern const glint_attribute_type glint_attribute_rgb888;
+
+/** Colours are RGB565: 2 bytes, aligned to 2. */
+extern const glint_attribute_type glint_attribute_rgb565;
 
 /** An attribute of a mesh is stored here. */
 typedef struct glint_mesh_attribute {
