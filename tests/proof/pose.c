@@ -5,8 +5,8 @@
 #include "../../src/scene/helpers.c"
 #include "contracts.h"
 
-/* Stands on the root being that of a square of 2^58 to 3 2^60, found bit by bit: `numbers` tries 200,000 cameras, and
- * runs under UBSan. */
+/* Stands on the root being that of a square of 2^58 to 3 2^60, by glint_square_root: `numbers` tries 200,000 cameras,
+ * and runs under UBSan. */
 /*@ requires \valid_read(in + (0 .. 2)) && \valid(out + (0 .. 2));
     assigns \result, out[0 .. 2] \from in[0 .. 2];
     admit ensures \result == 0 || \result == 1;
