@@ -251,8 +251,7 @@ static void print_head(const header_writer *writer, const host_model *model, con
     }
     bytes_print(out, " *\n");
     static const char *const positions[] = {"int16 steps:", "int8, 256 steps each:"};
-    static const char *const normals[] = {"int16, Q15, unit length: 32767 is 1",
-                                          "two int8, octahedral: see glint.h",
+    static const char *const normals[] = {"int16, Q15, unit length: 32767 is 1", "two int8, octahedral: see glint.h",
                                           "two int16, octahedral: see glint.h"};
     bytes_print(out,
                 " * positions  %s object space is offset + extent * step / 32768, per axis\n"
