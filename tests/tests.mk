@@ -105,11 +105,10 @@ suite_sources = $(or $(SUITE_$1),$(wildcard tests/image/$1.c tests/reference/$1.
 
 IMAGE_SUITES := accuracy models formats extremes coverage pixels layouts region callbacks pick kept arenas dark motion lines \
     orthographic patches corners rooms checked workloads
-TEST_SUITES  := unit parts numbers camera identity $(IMAGE_SUITES)
+TEST_SUITES  := unit numbers camera identity $(IMAGE_SUITES)
 PANEL_SUITES := panel_pictures panel_complaints panel_faults panel_i2c
 
 SUITE_unit  := $(TEST_HARNESS) $(wildcard tests/unit/*.c)
-SUITE_parts := $(TEST_HARNESS) tests/host/parts.c $(PNG_SOURCES) $(addprefix port/host/,compare.c values.c number.c png_read.c inflate.c)
 SUITE_stability_regions := $(TEST_HARNESS) tests/stability/regions.c $(STABILITY_REGIONS)
 SUITE_stability_kept    := $(TEST_HARNESS) tests/stability/kept.c tests/stability/random_scene.c $(TEST_CONTRACT)
 SUITE_stability_search  := tests/stability/search.c tests/stability/random_scene.c $(TEST_CONTRACT)
@@ -164,7 +163,7 @@ sample = @echo "$(if $(EVERY),every $1,TEST_SEED=$(TEST_SEED))"
 
 .PHONY: rooms sanitize variants unit-tables levels domains accuracy stability endurance panel-stream
 
-test-unit-host: $(addprefix $(BUILD)/tests/host/,unit parts numbers camera) ## unit tests on the host, arithmetic against libm, files of others
+test-unit-host: $(addprefix $(BUILD)/tests/host/,unit numbers camera) ## unit tests on the host, arithmetic against libm
 	$(call run_suites,$^)
 
 test-image: $(IMAGE_SUITES:%=$(BUILD)/tests/host/%) ## images against the double-precision reference
@@ -369,14 +368,9 @@ test-adapters: $(ADAPTERS)/adapters ## LVGL, Zephyr, u8g2, TFT_eSPI, STM32's HAL
 test-host-cli: $(HOST_PROGRAM) $(HOST_CONVERTER) $(BUILD)/host/glint-import $(BUILD)/tests/host/gallery_figures ## the command line from outside: every option, every error
 	python3 tests/host/run.py $(HOST_PROGRAM)
 
-# What the window exports is compiled for this machine and for a board in QEMU. Debian's own Python has python3-xlib.
-VIEW_EXPORTED_HOST := $(CC) $(HOST_CFLAGS) -Iport/host tests/view/exported_host.c $(PNG_SOURCES) $(BUILD)/host/libglint.a -lm
-VIEW_BOARD_PARTS   := $(call objects,$(BUILD)/virt/release,$(call board_sources,virt)) $(BUILD)/virt/release/libglint.a
-VIEW_EXPORTED_BOARD = $(call board_gcc,virt) $(filter-out -fstack-usage -MMD -MP,$(FIRMWARE_CFLAGS)) -Os \
-    -DBOARD_ARENA=$(virt_ARENA) $(FIRMWARE_LDFLAGS) -T $(call linker,virt) tests/view/exported_board.c $(VIEW_BOARD_PARTS) -lgcc
-test-view: $(VIEW_PROGRAM) $(HOST_PROGRAM) $(VIEW_BOARD_PARTS) ## the window, with real keys and mouse on a screen in memory
-	@GLINT_EXPORTED_HOST='$(VIEW_EXPORTED_HOST)' GLINT_EXPORTED_BOARD='$(VIEW_EXPORTED_BOARD)' \
-	    /usr/bin/python3 tests/view/view.py $(VIEW_PROGRAM) $(HOST_PROGRAM) $(VIEW_TESTS)
+# Debian's own Python has python3-xlib.
+test-view: $(VIEW_PROGRAM) $(HOST_PROGRAM) ## the window, with real keys and mouse on a screen in memory
+	@/usr/bin/python3 tests/view/view.py $(VIEW_PROGRAM) $(HOST_PROGRAM) $(VIEW_TESTS)
 
 PACKAGES := $(BUILD)/packages
 $(PACKAGES)/minimal: tests/packages/board.c examples/firmware/minimal.c $(addprefix port/panel/,$(lm3s6965evb_PANEL)) $(BUILD)/host/libglint.a

@@ -218,7 +218,7 @@ MUTANTS_SEED  ?= 1
 MUTANTS_FILES ?=
 MUTANTS_JOBS  ?= $(shell nproc)
 # What judges the library; quick suites come first. Drivers of panels are judged by the suites of panels.
-MUTANTS_SUITES := $(filter-out parts motion corners rooms,$(TEST_SUITES)) stability_kept stability_regions
+MUTANTS_SUITES := $(filter-out motion corners rooms,$(TEST_SUITES)) stability_kept stability_regions
 mutants: ## change MUTANTS places of src/ and port/panel/, one at a time, from MUTANTS_SEED (MUTANTS_FILES: only there): does a suite notice?
 	@python3 tools/mutants/mutants.py --build $(BUILD)/mutants --known tools/mutants/known.csv --count $(MUTANTS) \
 	    --seed $(MUTANTS_SEED) --jobs $(MUTANTS_JOBS) --library $(MUTANTS_SUITES:%=build/tests/host/%) \

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file command.h
- * The program's commands. Each takes the arguments after its name and returns the program's exit status: 0; 1 where
- * --compare found a difference; or 2 after one line on stderr, with no output file written.
+ * The program's commands. Each takes the arguments after its name and returns the program's exit status: 0, or 2 after
+ * one line on stderr, with no output file written.
  */
 #ifndef GLINT_HOST_COMMAND_H
 #define GLINT_HOST_COMMAND_H
@@ -12,9 +12,6 @@
 #include "png.h"
 #include "quantise.h"
 #include "settings.h"
-
-/** Exit status for a picture that differs from the one that it is compared with. */
-#define COMMAND_DIFFERS 1
 
 /** Exit status for bad input and failed output. */
 #define COMMAND_FAILED 2
@@ -30,6 +27,16 @@ int command_convert(const host_settings *settings);
 
 /** Draws an example scene into a PNG or an APNG, or lists them. */
 int command_scene(const host_settings *settings);
+
+/** A scene, and which variant of it. */
+typedef struct chosen_scene {
+    const struct example_scene *scene;
+    uint32_t variant;
+} chosen_scene;
+
+/** Finds the scene and the variant that a name says, the first variant when it says none. @return false with a problem
+ */
+bool scene_find(const char *name, chosen_scene *chosen, host_problem *problem);
 
 /** Draws the sheet that shows what the library does. */
 int command_demo(const host_settings *settings);
@@ -57,14 +64,8 @@ void command_warn_of_size(const host_settings *settings, const quantised_mesh *m
 /** Prints what a frame took, a name and a value a line. */
 void command_print_stats(const glint_stats *stats, const framebuffer *target);
 
-/** Whether the settings say where the picture goes: to a file, the terminal, or into a comparison. */
-bool command_has_output(const host_settings *settings);
-
-/**
- * Reads the picture to compare with, or prints why not.
- * @param[out] other set up by this, the caller frees its pixels; they are null where nothing is to be compared
- */
-bool command_open_compared(const host_settings *settings, png_picture *other);
+/** Writes a file and frees its bytes, or prints why not. @return exit status */
+int command_write(host_bytes *file, const char *path);
 
 /** A picture, or frames that follow each other. */
 typedef struct command_picture {
@@ -78,25 +79,19 @@ typedef struct command_picture {
     uint32_t duration, rate; /**< It repeats after duration / rate seconds; each from 1 to 65535. */
 } command_picture;
 
-/**
- * Checks the options beside --animate, and the name of what is to be written; without --animate nothing.
- * @param command what a problem begins with
- * @return false with a problem
- */
+/** Checks the options beside --animate. @param command what a problem begins with. @return false with a problem */
 bool command_check_frames(const host_settings *settings, const char *command, host_problem *problem);
 
 /**
- * Draws and writes what the settings say: a picture, which is shown, measured and compared with another; or as many
- * frames as they say, to one file, or to one each where its name has a %d. Prints what is wrong.
- * @param other as of command_open_compared
+ * Draws and writes what the settings say: a picture, or as many frames as they say in one file. Prints what is wrong.
  * @return exit status
  */
-int command_draw(const command_picture *shown, const host_settings *settings, const png_picture *other);
+int command_draw(const command_picture *shown, const host_settings *settings);
 
-/** Prints a mesh as NAME_meshSUFFIX, behind its arrays. @param name at most 65 characters */
-void convert_mesh(host_bytes *out, const char *name, const glint_mesh *mesh, const char *suffix);
+/** Room for an identifier: a --name of 64 characters, or as many of a file name's. */
+#define CONVERT_NAME_SIZE 66
 
-/** A character as an identifier may have it: what is no letter, digit or underscore becomes an underscore. */
-char convert_plain(char c);
+/** Makes a C identifier of a file's name without folder and ending. */
+void convert_name(const char *path, char name[CONVERT_NAME_SIZE]);
 
 #endif

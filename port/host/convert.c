@@ -13,9 +13,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-/** Room for an identifier: a --name of 64 characters, or as many of a file name's. */
-#define NAME_SIZE 66
-
 /** Part of a mesh's side by which positions may move unsaid: a quarter of a pixel of 1024, the largest display. */
 #define STEP_MAX (1.0 / 4096.0)
 
@@ -33,10 +30,11 @@ typedef struct header_writer {
     const quantised_mesh *mesh;
     const char *storage;           /* of meshes, materials and objects */
     const header_suffix *suffixes; /* a piece each */
-    char name[NAME_SIZE];
+    char name[CONVERT_NAME_SIZE];
 } header_writer;
 
-char convert_plain(char c) {
+/** A character as an identifier may have it: what is no letter, digit or underscore becomes an underscore. */
+static char plain_character(char c) {
     const bool plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
     return (char)(plain ? c : '_');
 }
@@ -64,7 +62,7 @@ static void name_piece(const char *material, bool counted, header_suffix *suffix
     char base[NAME_KEPT + 16];
     size_t length = 0;
     for (const char *letter = material; *letter != '\0' && length < NAME_KEPT; letter++) {
-        base[length++] = convert_plain(*letter);
+        base[length++] = plain_character(*letter);
     }
     base[length] = '\0';
     char *suffix = suffixes[piece].text;
@@ -137,18 +135,16 @@ static bool is_letter(char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
 }
 
-/** The given name; else the file's without folder and ending, as a C identifier. */
-static void choose_name(const host_settings *settings, char name[NAME_SIZE]) {
-    const char *base = settings->name != NULL ? settings->name : path_base_name(settings->model);
+void convert_name(const char *path, char name[CONVERT_NAME_SIZE]) {
+    const char *base = path_base_name(path);
     const char *dot = strrchr(base, '.');
-    size_t length = dot != NULL && dot > base ? (size_t)(dot - base) : strlen(base);
+    const size_t length = dot != NULL && dot > base ? (size_t)(dot - base) : strlen(base);
     size_t used = 0;
-    if (!is_letter(base[0]) && settings->name == NULL) {
+    if (!is_letter(base[0])) {
         name[used++] = 'm'; /* identifiers begin with a letter */
     }
-    length = length > NAME_SIZE - 2 ? NAME_SIZE - 2 : length;
-    for (size_t i = 0; i < length; i++) {
-        name[used++] = (char)convert_plain(base[i]);
+    for (size_t i = 0; i < length && i < CONVERT_NAME_SIZE - 2; i++) {
+        name[used++] = plain_character(base[i]);
     }
     name[used] = '\0';
 }
@@ -440,14 +436,6 @@ static void print_single(const header_writer *writer, const glint_mesh *mesh, co
     bytes_print(writer->out, "};\n");
 }
 
-void convert_mesh(host_bytes *out, const char *name, const glint_mesh *mesh, const char *suffix) {
-    static const quantised_mesh arrays = {0}; /* of 16 bits */
-    header_writer writer = {.out = out, .mesh = &arrays, .storage = "static const"};
-    snprintf(writer.name, sizeof writer.name, "%s", name);
-    print_arrays(&writer, mesh, suffix);
-    print_single(&writer, mesh, suffix);
-}
-
 /* ---- Materials and objects -------------------------------------------------------------------------------------- */
 
 static const char *model_name(const glint_shading_model *model) {
@@ -679,7 +667,11 @@ int command_convert(const host_settings *settings) {
     }
     header_suffix *suffixes = find_suffixes(&model.materials, &mesh);
     header_writer writer = {.settings = settings, .mesh = &mesh, .suffixes = suffixes};
-    choose_name(settings, writer.name);
+    if (settings->name != NULL) {
+        strcpy(writer.name, settings->name);
+    } else {
+        convert_name(settings->model, writer.name);
+    }
     const bool ok = (is_pair(settings->output) ? write_pair : write_header)(&writer, &model, &mesh);
     if (ok) {
         print_report(settings, &model, &mesh);

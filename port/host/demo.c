@@ -143,15 +143,12 @@ static bool draw_cell(const demo_cell *cell, const host_settings *demo, uint8_t 
 
 static int write_sheet(const uint8_t *sheet, const char *path) {
     host_bytes file = {NULL, 0, 0};
-    host_problem problem;
     png_encode(&file, sheet, SHEET_WIDTH, SHEET_HEIGHT, 3);
-    const bool ok = bytes_write_file(&file, path, &problem);
-    free(file.data);
-    if (!ok) {
-        return command_fail(path, &problem);
+    const int status = command_write(&file, path);
+    if (status == 0) {
+        printf("%s\n", path);
     }
-    printf("%s\n", path);
-    return 0;
+    return status;
 }
 
 int command_demo(const host_settings *settings) {

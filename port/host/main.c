@@ -55,14 +55,10 @@ static int print_help(void) {
         printf("  %-26s %s\n", left, shape->help);
     }
     printf(
-        "\nWhat holds without an option stands last in its line. The exit status is 0 when all was done, 1 when it "
-        "was\n"
-        "and --compare found a difference, else 2: bad input ends with one line on stderr and no output file. What a\n"
-        "model says and glint does not follow, such as textures, is told by warnings on stderr, with status 0. The "
-        "file\n"
-        "to write replaces an older one, or the one that a link of its name leads to, whole or not at all; it may not "
-        "be\n"
-        "one that is read. Of numbered frames those before a failure stay, and the line says how many.\n");
+        "\nWhat holds without an option stands last in its line. The exit status is 0 when all was done, else 2: bad\n"
+        "input ends with one line on stderr and no output file. What a model says and glint does not follow, such as\n"
+        "textures, is told by warnings on stderr, with status 0. The file to write replaces an older one, or the one\n"
+        "that a link of its name leads to, whole or not at all; it may not be one that is read.\n");
     return 0;
 }
 
@@ -86,7 +82,7 @@ static int run_command(const host_command *command, int count, char **arguments)
         problem_set(&problem, 0, "%s: a model is missing: an OBJ file, or a shape such as torus:24x12", command->name);
         return command_fail(NULL, &problem);
     }
-    if (command->takes_output && !command_has_output(&settings)) {
+    if (command->takes_output && settings.output == NULL) {
         problem_set(&problem, 0, "%s: the file to write is missing: -o FILE", command->name);
         return command_fail(NULL, &problem);
     }

@@ -140,3 +140,9 @@ glint_q16 number_q16(double value) {
 double number_from_q16(glint_q16 value) {
     return (double)value / 65536.0;
 }
+
+void number_from_vector(glint_vector vector, double values[3]) {
+    values[0] = number_from_q16(vector.x);
+    values[1] = number_from_q16(vector.y);
+    values[2] = number_from_q16(vector.z);
+}

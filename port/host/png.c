@@ -19,7 +19,8 @@ static void put_u16(host_bytes *out, uint32_t value) {
     bytes_add(out, (uint8_t)(value & 0xFF));
 }
 
-uint32_t png_checksum(const uint8_t *data, size_t count) {
+/** The checksum of a chunk's type and data: CRC-32. */
+static uint32_t checksum(const uint8_t *data, size_t count) {
     uint32_t crc = 0xFFFFFFFFu;
     for (size_t i = 0; i < count; i++) {
         crc ^= data[i];
@@ -45,7 +46,7 @@ static void chunk_end(host_bytes *out, size_t start) {
     for (int i = 0; i < 4; i++) {
         out->data[start + (size_t)i] = (uint8_t)(length >> (24 - 8 * i) & 0xFF);
     }
-    put_u32(out, png_checksum(out->data + start + 4, out->count - start - 4));
+    put_u32(out, checksum(out->data + start + 4, out->count - start - 4));
 }
 
 /** Filter 0 keeps a row, 1 subtracts the pixel to the left, 2 the one above. @return the sum of what is left. */

@@ -278,10 +278,12 @@ static void place_triangle(const mesh_quantiser *quantiser, size_t triangle, mes
 /* ---- Public ----------------------------------------------------------------------------------------------------- */
 
 void quantised_position(const glint_mesh *mesh, uint32_t vertex, double position[3]) {
-    const int16_t *step = mesh->positions[vertex];
-    position[0] = number_from_q16(mesh->offset.x) + number_from_q16(mesh->extent.x) * step[0] / 32768.0;
-    position[1] = number_from_q16(mesh->offset.y) + number_from_q16(mesh->extent.y) * step[1] / 32768.0;
-    position[2] = number_from_q16(mesh->offset.z) + number_from_q16(mesh->extent.z) * step[2] / 32768.0;
+    double extent[3];
+    number_from_vector(mesh->offset, position);
+    number_from_vector(mesh->extent, extent);
+    for (int axis = 0; axis < 3; axis++) {
+        position[axis] += extent[axis] * mesh->positions[vertex][axis] / 32768.0;
+    }
 }
 
 static double sine_between(const double a[3], const double b[3]) {

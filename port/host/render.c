@@ -3,8 +3,6 @@
 
 #include "view.h"
 
-#include <stdlib.h>
-
 /** How long a turn takes to be shown. */
 #define TURN_SECONDS 4
 
@@ -23,8 +21,7 @@ static uint8_t *draw(void *context, uint32_t frame, framebuffer *target, glint_s
     return ok ? framebuffer_expand(target) : NULL;
 }
 
-static int render(const host_settings *settings, const host_model *model, const quantised_mesh *mesh,
-                  const png_picture *other) {
+static int render(const host_settings *settings, const host_model *model, const quantised_mesh *mesh) {
     host_problem problem;
     host_view view;
     if (!view_make(&view, settings, &model->materials, mesh, &problem)) {
@@ -32,7 +29,7 @@ static int render(const host_settings *settings, const host_model *model, const 
     }
     turning_model turning = {&view, settings};
     const command_picture turn = {draw, &turning, TURN_SECONDS, 1};
-    const int status = command_draw(&turn, settings, other);
+    const int status = command_draw(&turn, settings);
     view_free(&view);
     return status;
 }
@@ -41,22 +38,17 @@ int command_render(const host_settings *settings) {
     host_problem problem;
     host_model model;
     quantised_mesh mesh;
-    png_picture other;
     if (!command_check_frames(settings, "render", &problem)) {
         return command_fail(NULL, &problem);
     }
-    if (!command_open_compared(settings, &other)) {
+    if (!command_load(settings, false, &model, &mesh)) {
         return COMMAND_FAILED;
     }
-    int status = COMMAND_FAILED;
-    if (command_load(settings, false, &model, &mesh)) {
-        status = render(settings, &model, &mesh, &other);
-        quantised_free(&mesh);
-        if (status != COMMAND_FAILED) {
-            command_print_warnings(settings, &model);
-        }
-        model_free(&model);
+    const int status = render(settings, &model, &mesh);
+    if (status == 0) {
+        command_print_warnings(settings, &model);
     }
-    free(other.pixels);
+    quantised_free(&mesh);
+    model_free(&model);
     return status;
 }

@@ -17,12 +17,6 @@
 /** Frames a second that the scenes are made for. */
 #define FRAME_RATE 25
 
-/** A scene, and which variant of it. */
-typedef struct chosen_scene {
-    const example_scene *scene;
-    uint32_t variant;
-} chosen_scene;
-
 static int print_list(void) {
     for (int i = 0; i < EXAMPLE_SCENES; i++) {
         const example_scene *scene = example_scenes[i];
@@ -41,10 +35,10 @@ static bool is_word(const char *text, size_t length, const char *word) {
     return strlen(word) == length && memcmp(text, word, length) == 0;
 }
 
-/** Finds the scene and the variant that a name says, the first variant when it says none. */
-static bool choose_scene(const char *name, chosen_scene *chosen, host_problem *problem) {
+bool scene_find(const char *name, chosen_scene *chosen, host_problem *problem) {
     char quote[PROBLEM_QUOTE_SIZE];
     const size_t length = strcspn(name, ":");
+    const char *variant = name + length + 1;
     chosen->scene = NULL;
     chosen->variant = 0;
     for (int i = 0; i < EXAMPLE_SCENES; i++) {
@@ -56,25 +50,20 @@ static bool choose_scene(const char *name, chosen_scene *chosen, host_problem *p
         return problem_set(problem, 0, "unknown scene '%s': see glint scene --list",
                            problem_quote(quote, name, length));
     }
-    if (name[length] == '\0') {
-        return true;
-    }
-    const char *variant = name + length + 1;
-    while (chosen->variant < chosen->scene->variant_count) {
+    for (; name[length] == ':' && chosen->variant < chosen->scene->variant_count; chosen->variant++) {
         if (strcmp(variant, chosen->scene->variants[chosen->variant].name) == 0) {
             return true;
         }
-        chosen->variant++;
     }
-    return problem_set(problem, 0, "scene %s has no variant '%s': see glint scene --list", chosen->scene->name,
-                       problem_quote(quote, variant, strlen(variant)));
+    return name[length] == '\0' || problem_set(problem, 0, "scene %s has no variant '%s': see glint scene --list",
+                                               chosen->scene->name, problem_quote(quote, variant, strlen(variant)));
 }
 
 static bool check(const host_settings *settings, host_problem *problem) {
     if (settings->model == NULL) {
         return problem_set(problem, 0, "scene: a scene is missing: see glint scene --list");
     }
-    if (!command_has_output(settings)) {
+    if (settings->output == NULL) {
         return problem_set(problem, 0, "scene: the file to write is missing: -o FILE");
     }
     return command_check_frames(settings, "scene", problem);
@@ -112,11 +101,10 @@ static uint8_t *draw(void *context, uint32_t frame, framebuffer *target, glint_s
 int command_scene(const host_settings *settings) {
     host_problem problem;
     chosen_scene chosen;
-    png_picture other;
     if (settings->list) {
         return print_list();
     }
-    if (!check(settings, &problem) || !choose_scene(settings->model, &chosen, &problem)) {
+    if (!check(settings, &problem) || !scene_find(settings->model, &chosen, &problem)) {
         return command_fail(NULL, &problem);
     }
     host_settings sized = *settings;
@@ -124,13 +112,8 @@ int command_scene(const host_settings *settings) {
         sized.width = chosen.scene->width;
         sized.height = chosen.scene->height;
     }
-    if (!command_open_compared(&sized, &other)) {
-        return COMMAND_FAILED;
-    }
     moving_scene moving = {&chosen, &sized};
     const uint32_t period = chosen.scene->frames > UINT16_MAX ? UINT16_MAX : chosen.scene->frames;
     const command_picture shown = {draw, &moving, period, FRAME_RATE};
-    const int status = command_draw(&shown, &sized, &other);
-    free(other.pixels);
-    return status;
+    return command_draw(&shown, &sized);
 }

@@ -66,9 +66,6 @@ typedef struct host_settings {
     uint32_t animate; /**< Frames of an animation; 0 for a still picture. */
     bool labels;      /**< Whether to draw a scene's labels over it. */
 
-    uint32_t preview;    /**< Characters of a picture in the terminal, across; 0 for none. */
-    const char *compare; /**< File of a picture to compare with, or null. */
-
     load_options load;
     const char *name;    /**< Of converted arrays, or null. */
     const char *licence; /**< SPDX expression for a converted mesh, or null. */

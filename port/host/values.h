@@ -40,6 +40,9 @@ glint_q16 number_q16(double value);
 /** Q16.16 as a double: exact. */
 double number_from_q16(glint_q16 value);
 
+/** The same of a vector. */
+void number_from_vector(glint_vector vector, double values[3]);
+
 /* ---- The word that was meant ---- */
 
 /**
@@ -51,31 +54,9 @@ size_t nearest_distance(const char *word, size_t length, const char *other);
 /** Whether a word so far from another may have been meant: one letter in three is wrong at most. */
 int nearest_is_meant(size_t length, size_t distance);
 
-/* ---- Names of files that are numbered ---- */
-
-/** A name, taken apart. Its text is the caller's. */
-typedef struct numbered_name {
-    const char *text;
-    bool has_number;
-    size_t at, length; /**< Where in the text the number goes, and the bytes there that stand for it. */
-    uint32_t digits;   /**< That the number has at least, zeros before it. */
-} numbered_name;
-
-/**
- * Takes a name apart: at most one %d, or %0Nd for N from 1 to 9 digits, stands for the number, and %% for a percent.
- * @return false with a problem of line 0 for any other percent
- */
-bool numbered_parse(numbered_name *name, const char *text, host_problem *problem);
-
-/** The name with a number in it, percents undone; the caller frees it. */
-char *numbered_make(const numbered_name *name, uint32_t number);
-
 /*
  * Values of options from text. Each returns false with a problem that says what the value should have been.
  */
-
-/** A number from `least` to `most`; without a problem of its own. */
-bool value_real(const char *text, double least, double most, double *value);
 
 /** Two integers with an x between them, each from 1 to `most`; without a problem of its own. */
 bool value_pair(const char *text, uint16_t most, uint16_t *first, uint16_t *second);

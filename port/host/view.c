@@ -158,7 +158,8 @@ static vector3 cross(vector3 a, vector3 b) {
 }
 
 static vector3 from_q16(glint_vector a) {
-    const vector3 vector = {{number_from_q16(a.x), number_from_q16(a.y), number_from_q16(a.z)}};
+    vector3 vector = {{0, 0, 0}};
+    number_from_vector(a, vector.v);
     return vector;
 }
 
@@ -434,13 +435,6 @@ static glint_status draw(const glint_scene *scene, glint_config *config, glint_s
     return status;
 }
 
-void view_gamma(double gamma, uint16_t tables[3][GLINT_GAMMA_ENTRIES]) {
-    for (int i = 0; i < GLINT_GAMMA_ENTRIES; i++) {
-        const double level = pow((double)i / (GLINT_GAMMA_ENTRIES - 1), 1.0 / gamma);
-        tables[0][i] = tables[1][i] = tables[2][i] = (uint16_t)lround(65535.0 * level);
-    }
-}
-
 /** Configures all but arena and flush. `tables` must outlive the configuration. */
 static glint_config configure(const host_settings *settings, uint16_t tables[3][GLINT_GAMMA_ENTRIES]) {
     glint_config config = {.width = settings->width, .height = settings->height};
@@ -448,7 +442,10 @@ static glint_config configure(const host_settings *settings, uint16_t tables[3][
     config.tile_width = settings->tile_width;
     config.tile_height = settings->tile_height;
     if (settings->gamma < 1 || settings->gamma > 1) {
-        view_gamma(settings->gamma, tables);
+        for (int i = 0; i < GLINT_GAMMA_ENTRIES; i++) {
+            const double level = pow((double)i / (GLINT_GAMMA_ENTRIES - 1), 1.0 / settings->gamma);
+            tables[0][i] = tables[1][i] = tables[2][i] = (uint16_t)lround(65535.0 * level);
+        }
         config.gamma = (const uint16_t(*)[GLINT_GAMMA_ENTRIES])tables;
     }
     return config;

@@ -56,9 +56,6 @@ double view_framing_distance(const host_settings *settings, double half_side);
 /** Frees what view_make made. */
 void view_free(host_view *view);
 
-/** The output table of linear^(1 / gamma), the same for all three channels. */
-void view_gamma(double gamma, uint16_t tables[3][GLINT_GAMMA_ENTRIES]);
-
 /** Bytes of arena that a scene takes with the settings' size, format and tiles. */
 glint_status view_need(const glint_scene *scene, const host_settings *settings, glint_need *need);
 

@@ -61,7 +61,6 @@ static void check_picture(const host_settings *settings) {
             is_within(settings->panel.height, 1, GLINT_SIZE_MAX));
     require(is_tile_side(settings->tile_width) && is_tile_side(settings->tile_height));
     require(settings->format != NULL && settings->panel.format != NULL && is_within(settings->gamma, 0.1, 10));
-    require(settings->preview <= GLINT_SIZE_MAX);
     require(settings->animate <= 1000 && settings->frame <= 1000000);
 }
 
@@ -88,27 +87,10 @@ static void check_loading(const host_settings *settings) {
     require(is_within(load->import.seconds, 1, 86400) && is_within(load->import.megabytes, 1, 1048576));
 }
 
-/** The name of each frame's file is as long as it says, and no percent of it is left to be taken for a number. */
-static void check_frames(const host_settings *settings) {
-    numbered_name name;
-    host_problem problem = {0, ""};
-    if (settings->animate == 0 || settings->output == NULL) {
-        return;
-    }
-    if (!numbered_parse(&name, settings->output, &problem)) {
-        check_problem(&problem);
-        return;
-    }
-    char *made = numbered_make(&name, settings->animate - 1);
-    require(strlen(made) <= strlen(settings->output) + 10);
-    free(made);
-}
-
 static void check_settings(const host_settings *settings) {
     check_picture(settings);
     check_scene(settings);
     check_loading(settings);
-    check_frames(settings);
 }
 
 /* ---- What a shape becomes ---------------------------------------------------------------------------------------- */
@@ -175,10 +157,6 @@ int command_fail(const char *file, const host_problem *problem) {
     check_problem(problem);
     failures++;
     return COMMAND_FAILED;
-}
-
-bool command_has_output(const host_settings *settings) {
-    return settings->output != NULL || settings->preview > 0 || settings->compare != NULL;
 }
 
 int command_render(const host_settings *settings) {

@@ -7,7 +7,6 @@ import traceback
 sys.path.append(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "tools"))
 import test_animate
 import test_clusters
-import test_compare
 import test_convert
 import test_errors
 import test_gallery
@@ -31,7 +30,7 @@ from harness import Host
 def main():
     host = Host(sys.argv[1])
     for module in (test_render, test_shading, test_obj, test_materials, test_place, test_winding, test_shapes, test_normals, test_errors, test_convert, test_import, test_simplify,
-                   test_clusters, test_scene, test_labels, test_compare, test_animate, test_terminal, test_output, test_gallery):
+                   test_clusters, test_scene, test_labels, test_animate, test_terminal, test_output, test_gallery):
         for name in (name for name in vars(module) if name.startswith("test_")):
             try:
                 vars(module)[name](host)

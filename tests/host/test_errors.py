@@ -168,7 +168,6 @@ BAD_OPTIONS = [
     (["--name", "a"], r"unknown option --name"),
     (["--siz", "10x10"], r"unknown option --siz: did you mean --size\?"),
     (["--shinyness=3"], r"unknown option --shinyness=3: did you mean --shininess\?"),
-    (["--preview", "0"], r"--preview 0: takes characters, from 1 to 1024"),
     (["another.obj"], r"unexpected argument 'another\.obj'"),
     (["--fov"], r"--fov takes a value: DEG"),
     (["--eye", "0,3,0"], r"--eye, --at and --up lie on one line"),

@@ -291,7 +291,7 @@ def test_help_and_version(host):
     host.equal("help is --help", host.run("--help").stdout, text)
     for option in ("size format eye at up fov near rotate-x rotate-y rotate-z up-axis centre scale light ambient diffuse specular shininess viewer "
                    "background tile arena stats crease double-sided name licence models model shading combine ungated "
-                   "dither gamma weights facets repair list frame animate compare camera-lights labels").split():
+                   "dither gamma weights facets repair list frame animate camera-lights labels").split():
         host.check(f"help names --{option}", f"--{option} " in text)
     for command in ("render", "info", "convert", "scene", "demo"):
         run = host.run(command, "--help")

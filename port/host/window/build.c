@@ -56,11 +56,11 @@ static glint_vector vector_of(const double v[3]) {
 /** The middle of an object's box in the world, and its radius. */
 static double measure(const glint_object *object, double middle[3]) {
     const glint_mesh *mesh = object->mesh;
-    const double offset[3] = {number_from_q16(mesh->offset.x), number_from_q16(mesh->offset.y),
-                              number_from_q16(mesh->offset.z)};
-    const double extent[3] = {number_from_q16(mesh->extent.x), number_from_q16(mesh->extent.y),
-                              number_from_q16(mesh->extent.z)};
+    double offset[3];
+    double extent[3];
     double square = 0;
+    number_from_vector(mesh->offset, offset);
+    number_from_vector(mesh->extent, extent);
     for (int row = 0; row < 3; row++) {
         double half = 0;
         middle[row] = number_from_q16(object->pose.m[row][3]);
@@ -243,16 +243,16 @@ static glint_q16 shown_channel(glint_q16 channel, glint_q16 most) {
 /** Adds an object where a light is, or from where it comes. */
 static void show_light(const glint_light *light, window_scene *built) {
     const uint32_t i = built->scene.object_count++;
-    const double position[3] = {number_from_q16(light->position.x), number_from_q16(light->position.y),
-                                number_from_q16(light->position.z)};
-    const double direction[3] = {number_from_q16(light->direction.x), number_from_q16(light->direction.y),
-                                 number_from_q16(light->direction.z)};
+    double position[3];
+    double direction[3];
     const glint_colour colour = light->diffuse;
     const glint_q16 most =
         colour.r > colour.g ? (colour.r > colour.b ? colour.r : colour.b) : (colour.g > colour.b ? colour.g : colour.b);
     const double radius = LIGHT_RADIUS * built->reach;
     const glint_pose scale = glint_pose_scale(held(radius), held(radius), held(radius));
     glint_pose pose = scale;
+    number_from_vector(light->position, position);
+    number_from_vector(light->direction, direction);
     for (int row = 0; row < 3; row++) {
         const double far =
             built->target[row] - LIGHT_DISTANCE * built->reach * direction[row] / sqrt(dot(direction, direction));
@@ -286,8 +286,8 @@ static void adopt(const glint_scene *scene, window_scene *built) {
 static void change(const window_state *state, window_scene *built) {
     static const double upwards[3] = {0, 1, 0};
     const window_changes *changes = &state->changes;
-    const glint_vector up = state->settings.up;
-    double sky[3] = {number_from_q16(up.x), number_from_q16(up.y), number_from_q16(up.z)};
+    double sky[3];
+    number_from_vector(state->settings.up, sky);
     const double length = sqrt(dot(sky, sky));
     for (int axis = 0; axis < 3; axis++) {
         sky[axis] = state->has_model ? sky[axis] / length : upwards[axis];

@@ -6,6 +6,8 @@
 #include "window.h"
 
 #include "basics.h"
+#include "command.h"
+#include "png.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -127,4 +129,36 @@ void window_draw(window_state *state, const label_picture *canvas) {
     }
     const int size = strlen(state->message) * 2 * LABEL_COLUMN < canvas->width - WINDOW_SIDE ? 2 : 1;
     label_text(canvas, state->message, WINDOW_MARGIN, (int)canvas->height - 2 * LABEL_LINE - WINDOW_MARGIN, size, dim);
+}
+
+/* ---- Screenshots ------------------------------------------------------------------------------------------------ */
+
+void window_screenshot(window_state *state) {
+    window_frame frame;
+    host_problem problem;
+    host_bytes file = {NULL, 0, 0};
+    char name[CONVERT_NAME_SIZE];
+    char path[CONVERT_NAME_SIZE + 16];
+    FILE *there;
+    int number = 0;
+    if (!window_render(state, &frame, &problem)) {
+        snprintf(state->message, sizeof state->message, "%.150s", problem.text);
+        return;
+    }
+    convert_name(state->name, name);
+    do { /* a name that nothing has yet */
+        snprintf(path, sizeof path, "%s-%d.png", name, ++number);
+        there = fopen(path, "rb");
+        if (there != NULL) {
+            fclose(there);
+        }
+    } while (there != NULL);
+    png_encode(&file, frame.picture, frame.target.width, frame.target.height, 3);
+    if (bytes_write_file(&file, path, &problem)) {
+        snprintf(state->message, sizeof state->message, "wrote %s", path);
+    } else {
+        snprintf(state->message, sizeof state->message, "%s: %.70s", path, problem.text);
+    }
+    free(file.data);
+    window_frame_free(&frame);
 }

@@ -54,7 +54,7 @@ const window_help window_helps[] = {
     {"Left Right", "frame of a scene"},
     {"R", "run a scene's frames, or stop"},
     {"Home", "all as it was loaded"},
-    {"F2 F3", "screenshot; export as C data"},
+    {"F2", "screenshot"},
     {NULL, NULL},
 };
 
@@ -72,13 +72,9 @@ static void own_lights(const window_scene *built, window_changes *changes) {
     for (uint32_t i = 0; i < changes->light_count; i++) {
         window_light *own = &changes->lights[i];
         const glint_light *light = &built->scene.lights[i];
-        const double position[3] = {number_from_q16(light->position.x), number_from_q16(light->position.y),
-                                    number_from_q16(light->position.z)};
-        const double direction[3] = {number_from_q16(light->direction.x), number_from_q16(light->direction.y),
-                                     number_from_q16(light->direction.z)};
         own->light = *light;
-        memcpy(own->position, position, sizeof position);
-        memcpy(own->direction, direction, sizeof direction);
+        number_from_vector(light->position, own->position);
+        number_from_vector(light->direction, own->direction);
     }
 }
 
@@ -366,9 +362,6 @@ static void show_key(window_state *state, int key, bool back) {
         break;
     case WINDOW_KEY_F2:
         window_screenshot(state);
-        break;
-    case WINDOW_KEY_F3:
-        window_export(state);
         break;
     default:
         break;

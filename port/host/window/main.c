@@ -59,10 +59,13 @@ static int translate(SDL_Keycode key) {
     static const struct {
         SDL_Keycode key;
         int code;
-    } named[] = {{SDLK_F1, WINDOW_KEY_F1},       {SDLK_F2, WINDOW_KEY_F2},
-                 {SDLK_F3, WINDOW_KEY_F3},       {SDLK_LEFT, WINDOW_KEY_LEFT},
-                 {SDLK_RIGHT, WINDOW_KEY_RIGHT}, {SDLK_PAGEUP, WINDOW_KEY_PAGE_UP},
-                 {SDLK_HOME, WINDOW_KEY_HOME},   {SDLK_PAGEDOWN, WINDOW_KEY_PAGE_DOWN}};
+    } named[] = {{SDLK_F1, WINDOW_KEY_F1},
+                 {SDLK_F2, WINDOW_KEY_F2},
+                 {SDLK_LEFT, WINDOW_KEY_LEFT},
+                 {SDLK_RIGHT, WINDOW_KEY_RIGHT},
+                 {SDLK_PAGEUP, WINDOW_KEY_PAGE_UP},
+                 {SDLK_HOME, WINDOW_KEY_HOME},
+                 {SDLK_PAGEDOWN, WINDOW_KEY_PAGE_DOWN}};
     for (size_t i = 0; i < sizeof named / sizeof named[0]; i++) {
         if (named[i].key == key) {
             return named[i].code;

@@ -39,9 +39,12 @@ static void forget(window_state *state) {
     state->runs = false;
 }
 
+/** What is shown is another by its name, which may be the old one's. */
 static void begin(window_state *state, const char *name) {
     const window_changes none = {.zoom = 1};
-    state->name = copy_text(name);
+    char *kept = copy_text(name);
+    forget(state);
+    state->name = kept;
     state->settings.model = state->name;
     state->changes = none;
     state->message[0] = '\0';
@@ -59,24 +62,16 @@ static void choose_size(window_state *state, uint16_t width, uint16_t height) {
 
 /** Whether a name is that of a scene and of a variant of it; then shows it. */
 static bool open_scene(window_state *state, const char *name) {
-    const size_t length = strcspn(name, ":");
-    for (int i = 0; i < EXAMPLE_SCENES; i++) {
-        const example_scene *scene = example_scenes[i];
-        for (uint32_t variant = 0; variant < scene->variant_count; variant++) {
-            const bool named = name[length] == '\0' || strcmp(name + length + 1, scene->variants[variant].name) == 0;
-            if (strlen(scene->name) == length && memcmp(scene->name, name, length) == 0 && named) {
-                char *kept = copy_text(name); /* it may be the old name */
-                forget(state);
-                begin(state, kept);
-                free(kept);
-                state->scene = scene;
-                state->variant = variant;
-                choose_size(state, scene->width, scene->height);
-                return true;
-            }
-        }
+    chosen_scene chosen;
+    host_problem problem;
+    if (!scene_find(name, &chosen, &problem)) {
+        return false;
     }
-    return false;
+    begin(state, name);
+    state->scene = chosen.scene;
+    state->variant = chosen.variant;
+    choose_size(state, chosen.scene->width, chosen.scene->height);
+    return true;
 }
 
 /* ---- Models ----------------------------------------------------------------------------------------------------- */
@@ -90,10 +85,7 @@ static bool open_model(window_state *state, const char *name, host_problem *prob
     if (!command_prepare(&settings, false, &model, &mesh, problem)) {
         return false;
     }
-    char *kept = copy_text(name);
-    forget(state);
-    begin(state, kept);
-    free(kept);
+    begin(state, name);
     choose_size(state, 320, 240);
     state->has_model = true;
     state->model = model;

@@ -22,7 +22,6 @@
 enum {
     WINDOW_KEY_F1 = 256,
     WINDOW_KEY_F2,
-    WINDOW_KEY_F3,
     WINDOW_KEY_LEFT,
     WINDOW_KEY_RIGHT,
     WINDOW_KEY_PAGE_UP,
@@ -176,12 +175,7 @@ void window_draw_side(window_state *state, const window_frame *frame, const labe
 /** By how much a picture of the settings' size is magnified on a canvas, at least 1. */
 int window_scale(const window_state *state, uint32_t width, uint32_t height);
 
-/* ---- Files (export.c) ---- */
-
 /** Writes the picture as it shows, unscaled, to a new PNG; the message tells its name, or what is wrong. */
 void window_screenshot(window_state *state);
-
-/** Writes the scene as const C data to a new header, likewise. */
-void window_export(window_state *state);
 
 #endif
