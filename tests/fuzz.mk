@@ -28,7 +28,7 @@ $(FUZZ)/%.o: %.c
 
 # Where inputs hold no words to be guessed of, following comparisons would take most of the time.
 FUZZ_WORDLESS := $(LIBRARY) $(filter-out tests/fuzz/checks.c,$(FUZZ_SHARED)) $(patsubst %,tests/fuzz/fuzz_%.c,panel render differential) \
-    $(addprefix port/host/,cluster.c join.c basics.c mesh.c quantise.c simplify.c winding.c)
+    $(addprefix port/host/,cluster.c join.c basics.c mesh.c quantise.c simplify.c topology.c)
 $(call objects,$(FUZZ),$(FUZZ_WORDLESS)): FUZZ_CFLAGS += -fno-sanitize-coverage=trace-cmp
 # What judges is not what is judged: it is compiled as it is, and no input is kept for its sake.
 FUZZ_JUDGES := $(wildcard tests/reference/*.c) tests/image/judge.c tests/panel/panels.c tests/panel/patterns.c

@@ -53,13 +53,6 @@ static void forget_lines(host_warnings *warnings) {
     }
 }
 
-/** Adds the warnings that there is room for. */
-static void add_warnings(host_warnings *warnings, const host_warnings *more) {
-    for (size_t i = 0; i < more->count && warnings->count < PROBLEM_WARNINGS_MAX; i++) {
-        warnings->list[warnings->count++] = more->list[i];
-    }
-}
-
 static bool read_text(const host_bytes *text, host_mesh *mesh, host_materials *materials, host_warnings *warnings,
                       host_problem *problem) {
     const char *start = (const char *)text->data;
@@ -72,10 +65,8 @@ static bool read_text(const host_bytes *text, host_mesh *mesh, host_materials *m
     if (!obj_read(middle, (size_t)(start + text->count - middle), mesh, &named, warnings, problem)) {
         return false;
     }
-    host_warnings painted;
     memset(materials, 0, sizeof *materials);
-    mtl_read(start, (size_t)(middle - start), &materials->all, &painted);
-    add_warnings(warnings, &painted);
+    mtl_read(start, (size_t)(middle - start), &materials->all, warnings);
     materials_name(&named, mesh, materials, warnings);
     obj_materials_free(&named);
     forget_lines(warnings);

@@ -19,6 +19,7 @@ typedef struct join_key {
 
 typedef struct join_table {
     const host_mesh *mesh;
+    const uint8_t (*colours)[3]; /* that must be the same too, or null */
     double distance;
     uint32_t *kept;  /* positions that stay... */
     uint32_t *next;  /* ...and of each the next of its slot, plus one */
@@ -32,8 +33,8 @@ static join_key key_of(const join_table *table, uint32_t position) {
         const double at = table->mesh->positions[position][axis];
         key.cell[axis] = table->distance > 0 ? floor(at / table->distance) : at;
     }
-    for (int i = 0; table->mesh->colours != NULL && i < 3; i++) {
-        key.colour = key.colour << 8 | table->mesh->colours[position][i];
+    for (int i = 0; table->colours != NULL && i < 3; i++) {
+        key.colour = key.colour << 8 | table->colours[position][i];
     }
     return key;
 }
@@ -81,6 +82,29 @@ static void keep(join_table *table, uint32_t position) {
     *slot = (uint32_t)table->kept_count;
 }
 
+/** Finds for each position the place among those kept of the one that it joins; the caller frees them. */
+static uint32_t *find_places(join_table *table) {
+    const size_t count = table->mesh->position_count;
+    uint32_t *places = memory_new(count, sizeof *places);
+    table->slot_count = 2 * count + 1;
+    table->kept = memory_new(count, sizeof *table->kept);
+    table->next = memory_new(count, sizeof *table->next);
+    table->slots = memory_new(table->slot_count, sizeof *table->slots);
+    for (size_t i = 0; i < count; i++) {
+        places[i] = (uint32_t)find_near(table, (uint32_t)i);
+        if (places[i] == table->kept_count) {
+            keep(table, (uint32_t)i);
+        }
+    }
+    return places;
+}
+
+static void free_table(join_table *table) {
+    free(table->slots);
+    free(table->next);
+    free(table->kept);
+}
+
 /** Moves the kept positions and their colours together, in their order. */
 static void close_gaps(host_mesh *mesh, const join_table *table) {
     for (size_t i = 0; i < table->kept_count; i++) {
@@ -95,25 +119,21 @@ static void close_gaps(host_mesh *mesh, const join_table *table) {
 
 size_t mesh_join(host_mesh *mesh, double distance) {
     const size_t count = mesh->position_count;
-    join_table table = {.mesh = mesh, .distance = distance, .slot_count = 2 * count + 1};
-    table.kept = memory_new(count, sizeof *table.kept);
-    table.next = memory_new(count, sizeof *table.next);
-    table.slots = memory_new(table.slot_count, sizeof *table.slots);
-    uint32_t *places = memory_new(count, sizeof *places);
-    for (size_t i = 0; i < count; i++) {
-        places[i] = (uint32_t)find_near(&table, (uint32_t)i);
-        if (places[i] == table.kept_count) {
-            keep(&table, (uint32_t)i);
-        }
-    }
+    join_table table = {.mesh = mesh, .colours = (const uint8_t(*)[3])mesh->colours, .distance = distance};
+    uint32_t *places = find_places(&table);
     for (size_t i = 0; i < 3 * mesh->triangle_count; i++) {
         uint32_t *position = &mesh->triangles[i / 3][i % 3].position;
         *position = places[*position];
     }
     close_gaps(mesh, &table);
     free(places);
-    free(table.slots);
-    free(table.next);
-    free(table.kept);
+    free_table(&table);
     return count - mesh->position_count;
+}
+
+uint32_t *mesh_weld(const host_mesh *mesh) {
+    join_table table = {.mesh = mesh};
+    uint32_t *places = find_places(&table);
+    free_table(&table);
+    return places;
 }

@@ -15,7 +15,7 @@
 /** A corner's normal that is not there (yet). */
 #define MESH_NO_NORMAL UINT32_MAX
 
-/** Crease angle for mesh_make_normals: keep the normals that are there and smooth over every edge. */
+/** Crease angle for mesh_average_normals: keep the normals that are there and smooth over every edge. */
 #define MESH_NO_CREASE (-1.0)
 
 typedef struct mesh_corner {
@@ -117,9 +117,6 @@ void mesh_turn(host_mesh *mesh, int axis, double cosine, double sine);
  */
 void mesh_average_normals(host_mesh *mesh, double crease, mesh_weights weights);
 
-/** The same with MESH_BY_AREA. */
-void mesh_make_normals(host_mesh *mesh, double crease);
-
 /** Makes all normals anew: the triangles' own. */
 void mesh_make_facet_normals(host_mesh *mesh);
 
@@ -132,7 +129,8 @@ void mesh_make_facet_normals(host_mesh *mesh);
  */
 size_t mesh_join(host_mesh *mesh, double distance);
 
-/** Numbers positions so that those with equal coordinates have the same number. @return the caller frees them */
+/** Numbers positions so that those with equal coordinates, and no others, have the same number; the caller frees them.
+ */
 uint32_t *mesh_weld(const host_mesh *mesh);
 
 /** Looks at how the mesh is wound. */

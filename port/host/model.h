@@ -80,7 +80,7 @@ text_note *text_find_note(text_notes *notes, int kind, text_token word);
 /** Counts what is not followed; words beyond the first few are counted together. */
 void text_note_add(text_notes *notes, int kind, text_token word, size_t line);
 
-/** Writes a warning for each note: its word, the text of its kind, and how often it was seen. */
+/** Adds a warning for each note that there is room for: its word, the text of its kind, and how often it was seen. */
 void text_notes_write(const text_notes *notes, const char *const texts[], host_warnings *warnings);
 
 /*
@@ -199,7 +199,7 @@ typedef struct mtl_library {
 
 /**
  * Adds the materials of a file in memory to a library: any bytes will do, nothing in them is an error.
- * @param warnings set, in the order of their lines
+ * @param warnings added to, in the order of their lines
  */
 void mtl_read(const char *text, size_t length, mtl_library *library, host_warnings *warnings);
 

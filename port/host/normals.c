@@ -168,10 +168,6 @@ void mesh_average_normals(host_mesh *mesh, double crease, mesh_weights weights) 
     free(sets);
 }
 
-void mesh_make_normals(host_mesh *mesh, double crease) {
-    mesh_average_normals(mesh, crease, MESH_BY_AREA);
-}
-
 void mesh_make_facet_normals(host_mesh *mesh) {
     mesh->normal_count = 0;
     for (size_t i = 0; i < mesh->triangle_count; i++) {

@@ -408,6 +408,7 @@ bool obj_read(const char *text, size_t length, host_mesh *mesh, obj_materials *m
               host_problem *problem) {
     memset(mesh, 0, sizeof *mesh);
     memset(materials, 0, sizeof *materials);
+    warnings->count = 0;
     obj_reader reader = {.text = text_begin(text, length), .mesh = mesh, .materials = materials, .problem = problem};
     reader.notes.words_max = WORDS_MAX;
     bool ok = true;

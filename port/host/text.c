@@ -132,15 +132,14 @@ void text_note_add(text_notes *notes, int kind, text_token word, size_t line) {
 }
 
 void text_notes_write(const text_notes *notes, const char *const texts[], host_warnings *warnings) {
-    for (size_t i = 0; i < notes->count; i++) {
+    for (size_t i = 0; i < notes->count && warnings->count < PROBLEM_WARNINGS_MAX; i++) {
         const text_note *note = &notes->list[i];
         char quote[PROBLEM_QUOTE_SIZE];
         char more[40] = "";
         if (note->more > 0) {
             snprintf(more, sizeof more, " (and %zu more)", note->more);
         }
-        problem_set(&warnings->list[i], note->line, "warning: '%s' %s%s",
+        problem_set(&warnings->list[warnings->count++], note->line, "warning: '%s' %s%s",
                     problem_quote(quote, note->word.start, note->word.length), texts[note->kind], more);
     }
-    warnings->count = notes->count;
 }

@@ -94,10 +94,14 @@ static void check_quantised(const host_mesh *mesh) {
 
 void check_mesh(host_mesh *mesh) {
     require(mesh->colour_count == 0 || mesh->colour_count == mesh->position_count);
-    mesh_make_normals(mesh, MESH_NO_CREASE);
+    mesh_average_normals(mesh, MESH_NO_CREASE, MESH_BY_AREA);
     check_corners(mesh);
     mesh_check_topology(mesh);
     check_quantised(mesh);
-    mesh_make_normals(mesh, 30.0);
+    mesh_average_normals(mesh, 30.0, MESH_BY_AREA);
     check_corners(mesh);
+    mesh_repair_winding(mesh);
+    check_corners(mesh);
+    const mesh_winding winding = mesh_check_winding(mesh);
+    require(winding.mixed_parts <= winding.one_sided_parts && winding.one_sided_parts <= winding.part_count);
 }

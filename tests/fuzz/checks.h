@@ -17,8 +17,9 @@ void check_warnings(const host_warnings *warnings, size_t least_line);
 void check_materials(const mtl_library *library);
 
 /**
- * A mesh as it was read, colours included: normals can be made for it, its topology be told, and it quantises into
- * meshes, with clusters, as the library documents them, or ends in a problem. Its normals are others then.
+ * A mesh as it was read, colours included: normals can be made for it, its topology be told, it quantises into
+ * meshes, with clusters, as the library documents them, or ends in a problem, and its winding is repaired. Its normals
+ * are others then.
  */
 void check_mesh(host_mesh *mesh);
 

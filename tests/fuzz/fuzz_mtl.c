@@ -27,7 +27,7 @@ static void check_lit(const mtl_material *file) {
 
 /** Reads a file from memory that ends where it does, so that reading on is seen; gone when it is read. */
 static void read_file(const uint8_t *data, size_t size, mtl_library *library) {
-    host_warnings warnings;
+    host_warnings warnings = {.count = 0};
     char *memory = allocate(size + 1);
     memcpy(memory + 1, data, size);
     mtl_read(memory + 1, size, library, &warnings);

@@ -239,7 +239,7 @@ def test_the_program_misbehaves(host):
     solid_text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"
     for what, script, pattern, options in [
             ("hangs", "exec sleep 60", r"takes longer than 1 s", ["--import-seconds", "1"]),
-            ("hangs, and is silent", "exec sleep 60 >&- 2>&-", r"takes longer than 1 s, or .*", ["--import-seconds", "1"]),
+            ("hangs, and is silent", "exec sleep 60 >&- 2>&-", r"takes longer than 1 s", ["--import-seconds", "1"]),
             ("crashes", "kill -SEGV $$", r"crashed by signal 11, with 2048 MB of memory", []),
             ("is killed", "kill -KILL $$", r"takes longer than 60 s, or more memory than there is", []),
             ("eats memory", "exec python3 -c 'b = bytearray(1 << 30)'", r"Traceback .*", ["--import-memory", "500"]),
