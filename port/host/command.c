@@ -48,6 +48,13 @@ bool command_prepare(const host_settings *settings, bool converted, host_model *
         model_free(model);
         return false;
     }
+    if (model->parts != NULL) {
+        mesh->objects = memory_new(mesh->piece_count, sizeof *mesh->objects);
+    }
+    for (size_t i = 0; model->parts != NULL && i < mesh->piece_count; i++) {
+        mesh->objects[i] = model->parts[mesh->materials[i]].object;
+        mesh->materials[i] = model->parts[mesh->materials[i]].material;
+    }
     if (!settings->load.plain && mesh->vertex_count <= VERTICES_HELD) {
         quantised_cluster(mesh);
     }

@@ -9,6 +9,7 @@
 #include "values.h"
 #include "view.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -19,7 +20,7 @@
 /** Characters that are kept of a material's name. */
 #define NAME_KEPT 40
 
-/** Room for what tells a piece's names from those of others: 40 characters of a material's name, and two numbers. */
+/** Room for what tells names from those of others: 40 characters of a material's or an object's, and two numbers. */
 typedef struct header_suffix {
     char text[64];
 } header_suffix;
@@ -28,8 +29,11 @@ typedef struct header_writer {
     host_bytes *out;
     const host_settings *settings;
     const quantised_mesh *mesh;
+    const host_materials *materials;
     const char *storage;           /* of meshes, materials and objects */
     const header_suffix *suffixes; /* a piece each */
+    const header_suffix *paints;   /* a material each, by its number */
+    const glint_camera *camera;    /* that sees it all; null where none is asked for */
     char name[CONVERT_NAME_SIZE];
 } header_writer;
 
@@ -41,13 +45,6 @@ static char plain_character(char c) {
 
 /* ---- Names ------------------------------------------------------------------------------------------------------ */
 
-/** Whether another piece has a piece's material. */
-static bool shares_material(const quantised_mesh *mesh, size_t piece) {
-    const uint32_t material = mesh->materials[piece];
-    return (piece > 0 && mesh->materials[piece - 1] == material) ||
-           (piece + 1 < mesh->piece_count && mesh->materials[piece + 1] == material);
-}
-
 static bool is_taken(const header_suffix *suffixes, size_t count) {
     for (size_t i = 0; i < count; i++) {
         if (strcmp(suffixes[i].text, suffixes[count].text) == 0) {
@@ -57,37 +54,94 @@ static bool is_taken(const header_suffix *suffixes, size_t count) {
     return false;
 }
 
-/** Names a piece by its material; with a number from 2 on where an earlier piece has that name. */
-static void name_piece(const char *material, bool counted, header_suffix *suffixes, size_t piece) {
+/** Makes a suffix of a name; with a number from 1 on, or from 2 on where an earlier one has that name. */
+static void make_suffix(const char *name, bool counted, header_suffix *suffixes, size_t place) {
     char base[NAME_KEPT + 16];
     size_t length = 0;
-    for (const char *letter = material; *letter != '\0' && length < NAME_KEPT; letter++) {
+    for (const char *letter = name; *letter != '\0' && length < NAME_KEPT; letter++) {
         base[length++] = plain_character(*letter);
     }
     base[length] = '\0';
-    char *suffix = suffixes[piece].text;
-    const size_t size = sizeof suffixes[piece].text;
+    char *suffix = suffixes[place].text;
+    const size_t size = sizeof suffixes[place].text;
     snprintf(suffix, size, counted ? "_%s_1" : "_%s", base);
-    for (unsigned number = 2; is_taken(suffixes, piece); number++) {
+    for (unsigned number = 2; is_taken(suffixes, place); number++) {
         snprintf(suffix, size, "_%s_%u", base, number);
     }
 }
 
+static const char *material_name(const host_materials *materials, uint32_t number) {
+    const mtl_material *material = materials_find(materials, number);
+    return material != NULL ? material->name : "default";
+}
+
+static const char *object_name(const host_materials *materials, uint32_t number) {
+    return number > 0 && materials->objects.list[number - 1].text[0] != '\0' ? materials->objects.list[number - 1].text
+                                                                             : "default";
+}
+
+static bool is_same_part(const quantised_mesh *mesh, size_t a, size_t b) {
+    return a < mesh->piece_count && b < mesh->piece_count && mesh->materials[a] == mesh->materials[b] &&
+           (mesh->objects == NULL || mesh->objects[a] == mesh->objects[b]);
+}
+
+static bool is_same_object(const quantised_mesh *mesh, size_t a, size_t b) {
+    return a < mesh->piece_count && b < mesh->piece_count && mesh->objects[a] == mesh->objects[b];
+}
+
+/** Whether the mesh is written as objects with materials, else as meshes alone. */
+static bool has_objects(const host_materials *materials, const quantised_mesh *mesh) {
+    return materials->used_count > 0 || mesh->objects != NULL;
+}
+
 /**
- * A suffix for each piece: empty for one piece without materials; its number where there are several; with materials
- * the name of its own, followed by numbers where that alone is not unique. @return the caller frees them
+ * Makes a suffix for each piece: its number where there are several, empty for one; the name of its material where
+ * there are materials, and of its object where objects stay apart, with the material's where that object has several.
+ * @return the caller frees them
  */
 static header_suffix *find_suffixes(const host_materials *materials, const quantised_mesh *mesh) {
     header_suffix *suffixes = memory_new(mesh->piece_count, sizeof *suffixes);
     for (size_t i = 0; i < mesh->piece_count; i++) {
-        const mtl_material *material = materials_find(materials, mesh->materials[i]);
-        if (materials->used_count > 0) {
-            name_piece(material != NULL ? material->name : "default", shares_material(mesh, i), suffixes, i);
+        const char *material = material_name(materials, mesh->materials[i]);
+        const bool counted = is_same_part(mesh, i, i - 1) || is_same_part(mesh, i, i + 1);
+        char name[2 * NAME_KEPT];
+        if (mesh->objects != NULL) {
+            const bool alone = !is_same_object(mesh, i, i - 1) && !is_same_object(mesh, i, i + 1);
+            snprintf(name, sizeof name, "%.*s%s%s", NAME_KEPT, object_name(materials, mesh->objects[i]),
+                     alone ? "" : "_", alone ? "" : material);
+            make_suffix(name, counted, suffixes, i);
+        } else if (materials->used_count > 0) {
+            make_suffix(material, counted, suffixes, i);
         } else if (mesh->piece_count > 1) {
             snprintf(suffixes[i].text, sizeof suffixes[i].text, "_%u", (unsigned)i);
         }
     }
     return suffixes;
+}
+
+/** The first piece of a material, or how many pieces there are where none has it. */
+static size_t first_piece(const quantised_mesh *mesh, size_t material) {
+    size_t piece = 0;
+    while (piece < mesh->piece_count && mesh->materials[piece] != material) {
+        piece++;
+    }
+    return piece;
+}
+
+/** A suffix for each material of a piece: its first piece's, or its own where pieces are objects'; the caller frees
+ * them. */
+static header_suffix *find_paints(const host_materials *materials, const quantised_mesh *mesh,
+                                  const header_suffix *suffixes) {
+    header_suffix *paints = memory_new(materials->used_count + 1, sizeof *paints);
+    for (size_t i = 0; i <= materials->used_count; i++) {
+        const size_t first = first_piece(mesh, i);
+        if (first < mesh->piece_count && mesh->objects != NULL) {
+            make_suffix(material_name(materials, (uint32_t)i), false, paints, i);
+        } else if (first < mesh->piece_count) {
+            paints[i] = suffixes[first];
+        }
+    }
+    return paints;
 }
 
 /* ---- The head --------------------------------------------------------------------------------------------------- */
@@ -149,6 +203,21 @@ void convert_name(const char *path, char name[CONVERT_NAME_SIZE]) {
     name[used] = '\0';
 }
 
+/**
+ * The given name; else that of the file to write, so that two conversions of a model may be in one program; else, where
+ * that is a device, the model's.
+ */
+static void choose_name(const host_settings *settings, char name[CONVERT_NAME_SIZE]) {
+    if (settings->name != NULL) {
+        strcpy(name, settings->name);
+    } else if (settings->output == NULL || path_is_stdout(settings->output) ||
+               strncmp(settings->output, "/dev/", 5) == 0) {
+        convert_name(settings->model, name);
+    } else {
+        convert_name(settings->output, name);
+    }
+}
+
 /** Text that cannot end a comment, open one, or leave its line. */
 static void print_in_comment(host_bytes *out, const char *text) {
     for (; *text != '\0'; text++) {
@@ -183,12 +252,13 @@ static void print_load_options(host_bytes *out, const load_options *load) {
 }
 
 /**
- * The options that shape the mesh, in one order. A header's name is not among them: it must not change the bytes. That
- * of a pair is, as the source names its header.
+ * The options that shape the mesh, in one order. The file's name is among them where it changes the bytes: where the
+ * arrays have it, and the model another, and of a pair, as the source names its header.
  */
 static void print_command_line(const header_writer *writer) {
     const host_settings *settings = writer->settings;
     const double *scale = settings->scale;
+    char name[CONVERT_NAME_SIZE];
     bytes_print(writer->out, "glint convert ");
     print_in_comment(writer->out, path_base_name(settings->model));
     if (settings->name != NULL) {
@@ -208,10 +278,13 @@ static void print_command_line(const header_writer *writer) {
             bytes_print(writer->out, " --rotate-%c %.9g", "xyz"[axis], number_from_q16(settings->rotate[axis]));
         }
     }
-    if (settings->double_sided) {
-        bytes_print(writer->out, " --double-sided");
+    bytes_print(writer->out, "%s%s%s", settings->double_sided ? " --double-sided" : "",
+                settings->load.objects ? " --objects" : "", settings->fit ? " --fit" : "");
+    if (settings->fit) {
+        bytes_print(writer->out, " --panel %ux%u", settings->panel.width, settings->panel.height);
     }
-    if (is_pair(settings->output)) {
+    convert_name(settings->model, name);
+    if (is_pair(settings->output) || (settings->name == NULL && strcmp(name, writer->name) != 0)) {
         bytes_print(writer->out, " -o ");
         print_in_comment(writer->out, path_base_name(settings->output));
     }
@@ -456,74 +529,132 @@ static void print_material(const header_writer *writer, const char *suffix, cons
     bytes_print(out, "    %ld, /* shininess */\n    0,\n};\n", (long)material->shininess);
 }
 
-/** The first piece of each material, by its number. @return the caller frees them */
-static size_t *first_pieces(const host_materials *materials, const quantised_mesh *mesh) {
-    size_t *first = memory_new(materials->used_count + 1, sizeof *first);
-    for (size_t i = mesh->piece_count; i-- > 0;) {
-        first[mesh->materials[i]] = i;
+/** Prints an array's head: `static const TYPE NAME_WHAT[COUNT]`. */
+static void print_array_head(const header_writer *writer, const char *type, const char *what) {
+    bytes_print(writer->out, "%s %s%s_%s[%zu]", writer->storage, type, writer->name, what, writer->mesh->piece_count);
+}
+
+/** The middle of the box of a piece's object, as Q16.16. */
+static glint_vector find_centre(const quantised_mesh *mesh, size_t piece) {
+    double low[3] = {HUGE_VAL, HUGE_VAL, HUGE_VAL};
+    double high[3] = {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
+    for (size_t i = 0; i < mesh->piece_count; i++) {
+        for (uint32_t j = 0; is_same_object(mesh, i, piece) && j < mesh->pieces[i].vertex_count; j++) {
+            double position[3];
+            quantised_position(&mesh->pieces[i], j, position);
+            for (int axis = 0; axis < 3; axis++) {
+                low[axis] = fmin(low[axis], position[axis]);
+                high[axis] = fmax(high[axis], position[axis]);
+            }
+        }
     }
-    return first;
+    return (glint_vector){number_q16(low[0] / 2 + high[0] / 2), number_q16(low[1] / 2 + high[1] / 2),
+                          number_q16(low[2] / 2 + high[2] / 2)};
+}
+
+/** Prints NAME_object_names and NAME_object_centres, of what NAME_objects has at the same places. */
+static void print_names(const header_writer *writer) {
+    host_bytes *out = writer->out;
+    const quantised_mesh *mesh = writer->mesh;
+    bytes_print(out, "\n/* Names of the objects. */\n");
+    print_array_head(writer, "char *const ", "object_names");
+    bytes_print(out, " = {\n");
+    for (size_t i = 0; i < mesh->piece_count; i++) {
+        bytes_print(out, "    \"");
+        for (const char *c = object_name(writer->materials, mesh->objects[i]); *c != '\0'; c++) {
+            bytes_add(out, (uint8_t)(*c < ' ' || *c > '~' || strchr("\"\\?", *c) != NULL ? '_' : *c));
+        }
+        bytes_print(out, "\",\n");
+    }
+    bytes_print(out, "};\n\n/* Middles of the objects' boxes, Q16.16: what wheels turn about. */\n");
+    print_array_head(writer, "glint_vector ", "object_centres");
+    bytes_print(out, " = {\n");
+    for (size_t i = 0; i < mesh->piece_count; i++) {
+        const glint_vector centre = find_centre(mesh, i);
+        bytes_print(out, "    {%ld, %ld, %ld},\n", (long)centre.x, (long)centre.y, (long)centre.z);
+    }
+    bytes_print(out, "};\n");
 }
 
 /** Prints the materials NAME_material_MATERIAL, and NAME_objects: an object for each piece. */
-static void print_objects(const header_writer *writer, const host_materials *materials, const quantised_mesh *mesh) {
+static void print_objects(const header_writer *writer) {
     host_bytes *out = writer->out;
-    const header_suffix *suffixes = writer->suffixes;
-    size_t *first = first_pieces(materials, mesh);
+    const quantised_mesh *mesh = writer->mesh;
     bytes_print(out, "\n/* Materials: Q16.16, for ambient light of 1 in the scene. */\n");
-    for (size_t i = 0; i < mesh->piece_count; i++) {
-        if (first[mesh->materials[i]] == i) {
-            const glint_material material =
-                settings_material(writer->settings, materials_find(materials, mesh->materials[i]));
-            print_material(writer, suffixes[i].text, &material);
+    for (uint32_t i = 0; i <= writer->materials->used_count; i++) {
+        if (writer->paints[i].text[0] != '\0') {
+            const glint_material material = settings_material(writer->settings, materials_find(writer->materials, i));
+            print_material(writer, writer->paints[i].text, &material);
         }
     }
-    bytes_print(out,
-                "\n/* Objects of one scene, all with the same pose: copy them where they move. */\n"
-                "%s glint_object %s_objects[%zu] = {\n",
-                writer->storage, writer->name, mesh->piece_count);
+    bytes_print(out, "\n/* Objects of one scene, all with the same pose: copy them where they move. */\n");
+    print_array_head(writer, "glint_object ", "objects");
+    bytes_print(out, " = {\n");
     for (size_t i = 0; i < mesh->piece_count; i++) {
-        const char *material = suffixes[first[mesh->materials[i]]].text;
         bytes_print(out,
                     "    {&%s_mesh%s, &%s_material%s, {{{65536, 0, 0, 0}, {0, 65536, 0, 0}, {0, 0, 65536, 0}}}, "
                     "&glint_per_fragment, 0},\n",
-                    writer->name, suffixes[i].text, writer->name, material);
+                    writer->name, writer->suffixes[i].text, writer->name, writer->paints[mesh->materials[i]].text);
     }
     bytes_print(out, "};\n");
-    free(first);
+    if (mesh->objects != NULL) {
+        print_names(writer);
+    }
+}
+
+/** Prints the camera NAME_camera. */
+static void print_camera(const header_writer *writer) {
+    const glint_camera *camera = writer->camera;
+    bytes_print(writer->out,
+                "\n/* Sees all of it, at the aspect of the panel. */\n%s glint_camera %s_camera = {\n    {{",
+                writer->storage, writer->name);
+    for (int row = 0; row < 3; row++) {
+        const glint_q16 *m = camera->pose.m[row];
+        bytes_print(writer->out, "%s{%ld, %ld, %ld, %ld}", row > 0 ? ", " : "", (long)m[0], (long)m[1], (long)m[2],
+                    (long)m[3]);
+    }
+    bytes_print(writer->out, "}},\n    %ld, /* field of view */\n    %ld, /* near plane */\n    0,\n    0,\n};\n",
+                (long)camera->field_of_view, (long)camera->near_plane);
 }
 
 /* ---- Files ------------------------------------------------------------------------------------------------------ */
 
 /** Declares each piece's mesh, each material, and the objects. */
-static void declare_painted(const header_writer *writer, const host_materials *materials, const quantised_mesh *mesh) {
-    size_t *first = first_pieces(materials, mesh);
+static void declare_objects(const header_writer *writer) {
+    const quantised_mesh *mesh = writer->mesh;
     for (size_t i = 0; i < mesh->piece_count; i++) {
         bytes_print(writer->out, "%s glint_mesh %s_mesh%s;\n", writer->storage, writer->name, writer->suffixes[i].text);
     }
-    for (size_t i = 0; i < mesh->piece_count; i++) {
-        if (first[mesh->materials[i]] == i) {
+    for (size_t i = 0; i <= writer->materials->used_count; i++) {
+        if (writer->paints[i].text[0] != '\0') {
             bytes_print(writer->out, "%s glint_material %s_material%s;\n", writer->storage, writer->name,
-                        writer->suffixes[i].text);
+                        writer->paints[i].text);
         }
     }
-    bytes_print(writer->out,
-                "%s glint_object %s_objects[%zu]; /* all with the same pose: copy them where they move */\n",
-                writer->storage, writer->name, mesh->piece_count);
-    free(first);
+    print_array_head(writer, "glint_object ", "objects");
+    bytes_print(writer->out, "; /* all with the same pose: copy them where they move */\n");
+    if (mesh->objects != NULL) {
+        print_array_head(writer, "char *const ", "object_names");
+        bytes_print(writer->out, ";\n");
+        print_array_head(writer, "glint_vector ", "object_centres");
+        bytes_print(writer->out, "; /* middles of their boxes */\n");
+    }
 }
 
-/** Declares what a source defines: the meshes, and the materials and objects that there are. */
-static void print_declarations(const header_writer *writer, const host_materials *materials,
-                               const quantised_mesh *mesh) {
+/** Declares what a source defines: the meshes, and the materials, objects and camera that there are. */
+static void print_declarations(const header_writer *writer) {
+    const quantised_mesh *mesh = writer->mesh;
     bytes_print(writer->out, "\n#ifdef __cplusplus\nextern \"C\" {\n#endif\n\n");
-    if (materials->used_count > 0) {
-        declare_painted(writer, materials, mesh);
+    if (has_objects(writer->materials, mesh)) {
+        declare_objects(writer);
     } else if (mesh->piece_count > 1) {
         bytes_print(writer->out, "%s glint_mesh %s_meshes[%zu]; /* one object for each */\n", writer->storage,
                     writer->name, mesh->piece_count);
     } else {
         bytes_print(writer->out, "%s glint_mesh %s_mesh;\n", writer->storage, writer->name);
+    }
+    if (writer->camera != NULL) {
+        bytes_print(writer->out, "%s glint_camera %s_camera; /* sees all of it */\n", writer->storage, writer->name);
     }
     bytes_print(writer->out, "\n#ifdef __cplusplus\n}\n#endif\n");
 }
@@ -540,21 +671,24 @@ static void print_array(const header_writer *writer, const quantised_mesh *mesh)
     bytes_print(writer->out, "};\n");
 }
 
-/** One mesh as NAME_mesh, several as NAME_meshes; with materials each as NAME_mesh_MATERIAL. */
-static void print_meshes(const header_writer *writer, const host_model *model, const quantised_mesh *mesh) {
-    const header_suffix *suffixes = writer->suffixes;
-    const bool painted = model->materials.used_count > 0;
+/** One mesh as NAME_mesh, several as NAME_meshes; with materials or objects each as NAME_mesh_SUFFIX. */
+static void print_meshes(const header_writer *writer) {
+    const quantised_mesh *mesh = writer->mesh;
+    const bool apart = has_objects(writer->materials, mesh);
     for (size_t i = 0; i < mesh->piece_count; i++) {
-        print_arrays(writer, &mesh->pieces[i], suffixes[i].text);
+        print_arrays(writer, &mesh->pieces[i], writer->suffixes[i].text);
     }
-    if (!painted && mesh->piece_count > 1) {
+    if (!apart && mesh->piece_count > 1) {
         print_array(writer, mesh);
     }
-    for (size_t i = 0; painted ? i < mesh->piece_count : i < 1 && mesh->piece_count == 1; i++) {
-        print_single(writer, &mesh->pieces[i], suffixes[i].text);
+    for (size_t i = 0; apart ? i < mesh->piece_count : i < 1 && mesh->piece_count == 1; i++) {
+        print_single(writer, &mesh->pieces[i], writer->suffixes[i].text);
     }
-    if (painted) {
-        print_objects(writer, &model->materials, mesh);
+    if (apart) {
+        print_objects(writer);
+    }
+    if (writer->camera != NULL) {
+        print_camera(writer);
     }
 }
 
@@ -585,8 +719,41 @@ static void warn_of_winding(const char *file, const host_mesh *mesh) {
     problem_print(file, &warning);
 }
 
-/** Prints what the mesh takes, unless the mesh itself is printed there. */
-static void print_report(const host_settings *settings, const host_model *model, const quantised_mesh *mesh) {
+/** Finds the camera that sees the whole mesh on the settings' panel. @return false with a problem where none can */
+static bool find_camera(const host_settings *settings, const host_model *model, const quantised_mesh *mesh,
+                        glint_camera *camera, host_problem *problem) {
+    host_settings framed = *settings;
+    host_view view;
+    memset(framed.rotate, 0, sizeof framed.rotate); /* the mesh itself was turned */
+    framed.width = settings->panel.width;
+    framed.height = settings->panel.height;
+    if (!view_make(&view, &framed, &model->materials, mesh, problem)) {
+        return problem_set(problem, 0, "--fit: no camera in Q16.16 sees all of it: give --scale fit");
+    }
+    *camera = view.scene.camera;
+    view_free(&view);
+    return true;
+}
+
+/** Prints where a camera stands and what it looks at, as glint_camera_look_at takes them; a point beside the model. */
+static void report_camera(const glint_camera *camera, const host_model *model) {
+    double eye[3];
+    double back[3];
+    double distance = 0;
+    for (int row = 0; row < 3; row++) {
+        eye[row] = number_from_q16(camera->pose.m[row][3]);
+        back[row] = number_from_q16(camera->pose.m[row][2]);
+        distance += back[row] * (eye[row] - model->low[row] / 2 - model->high[row] / 2);
+    }
+    printf("camera_eye %.5f %.5f %.5f\n", eye[0], eye[1], eye[2]);
+    printf("camera_at %.5f %.5f %.5f\n", eye[0] - distance * back[0], eye[1] - distance * back[1],
+           eye[2] - distance * back[2]);
+    printf("camera_near %.5f\n", number_from_q16(camera->near_plane));
+}
+
+/** Prints what the mesh takes, and the camera that sees it, unless the mesh itself is printed there. */
+static void print_report(const host_settings *settings, const host_model *model, const quantised_mesh *mesh,
+                         const glint_camera *camera) {
     const report_subject subject = {settings, &model->materials, mesh};
     host_problem why;
     host_problem warning;
@@ -600,44 +767,34 @@ static void print_report(const host_settings *settings, const host_model *model,
         problem_set(&warning, 0, "warning: what it takes is not known: %s", why.text);
         problem_print(settings->model, &warning);
     }
+    if (camera != NULL) {
+        report_camera(camera, model);
+    }
 }
 
-static void print_header(const header_writer *writer, const host_model *model, const quantised_mesh *mesh) {
-    print_head(writer, model, mesh);
+static void print_header(const header_writer *writer, const host_model *model) {
+    print_head(writer, model, writer->mesh);
     print_guard(writer, "#ifndef");
     print_guard(writer, "#define");
     bytes_print(writer->out, "\n#include \"glint.h\"\n");
     if (is_pair(writer->settings->output)) {
-        print_declarations(writer, &model->materials, mesh);
+        print_declarations(writer);
     } else {
-        print_meshes(writer, model, mesh);
+        print_meshes(writer);
     }
     bytes_print(writer->out, "\n#endif\n");
 }
 
-static void print_source(const header_writer *writer, const char *header, const host_model *model,
-                         const quantised_mesh *mesh) {
-    print_head(writer, model, mesh);
-    bytes_print(writer->out, "#include \"%s\"\n", path_base_name(header));
-    print_meshes(writer, model, mesh);
-}
-
-static bool write_header(const header_writer *like, const host_model *model, const quantised_mesh *mesh) {
+static bool write_header(const header_writer *like, const host_model *model) {
     host_bytes file = {NULL, 0, 0};
-    host_problem problem;
     header_writer writer = *like;
     writer.out = &file;
     writer.storage = "static const";
-    print_header(&writer, model, mesh);
-    const bool ok = bytes_write_file(&file, like->settings->output, &problem);
-    if (!ok) {
-        problem_print(like->settings->output, &problem);
-    }
-    free(file.data);
-    return ok;
+    print_header(&writer, model);
+    return command_write(&file, like->settings->output) == 0;
 }
 
-static bool write_pair(const header_writer *like, const host_model *model, const quantised_mesh *mesh) {
+static bool write_pair(const header_writer *like, const host_model *model) {
     char *header = header_of(like->settings->output);
     host_file pair[2] = {{{NULL, 0, 0}, like->settings->output}, {{NULL, 0, 0}, header}};
     host_problem problem;
@@ -645,10 +802,12 @@ static bool write_pair(const header_writer *like, const host_model *model, const
     header_writer writer = *like;
     writer.storage = "const";
     writer.out = &pair[0].bytes;
-    print_source(&writer, header, model, mesh);
+    print_head(&writer, model, writer.mesh);
+    bytes_print(writer.out, "#include \"%s\"\n", path_base_name(header));
+    print_meshes(&writer);
     writer.out = &pair[1].bytes;
     writer.storage = "extern const";
-    print_header(&writer, model, mesh);
+    print_header(&writer, model);
     const bool ok = bytes_write_pair(pair, &wrong, &problem);
     if (!ok) {
         problem_print(wrong, &problem);
@@ -659,29 +818,41 @@ static bool write_pair(const header_writer *like, const host_model *model, const
     return ok;
 }
 
+/** Writes a model that was loaded, and reports. @return exit status */
+static int convert(const host_settings *settings, const host_model *model, const quantised_mesh *mesh) {
+    glint_camera camera;
+    host_problem problem;
+    const bool framed = find_camera(settings, model, mesh, &camera, &problem);
+    if (settings->fit && !framed) {
+        return command_fail(settings->model, &problem);
+    }
+    header_suffix *suffixes = find_suffixes(&model->materials, mesh);
+    header_suffix *paints = find_paints(&model->materials, mesh, suffixes);
+    header_writer writer = {.settings = settings, .mesh = mesh, .materials = &model->materials, .suffixes = suffixes};
+    writer.paints = paints;
+    writer.camera = settings->fit ? &camera : NULL;
+    choose_name(settings, writer.name);
+    const bool ok = (is_pair(settings->output) ? write_pair : write_header)(&writer, model);
+    if (ok) {
+        print_report(settings, model, mesh, framed ? &camera : NULL);
+        command_print_warnings(settings, model);
+        command_warn_of_size(settings, mesh);
+        warn_of_steps(settings->model, model, mesh);
+        warn_of_winding(settings->model, &model->mesh);
+    }
+    free(suffixes);
+    free(paints);
+    return ok ? 0 : COMMAND_FAILED;
+}
+
 int command_convert(const host_settings *settings) {
     host_model model;
     quantised_mesh mesh;
     if (!check_pair(settings) || !command_load(settings, true, &model, &mesh)) {
         return COMMAND_FAILED;
     }
-    header_suffix *suffixes = find_suffixes(&model.materials, &mesh);
-    header_writer writer = {.settings = settings, .mesh = &mesh, .suffixes = suffixes};
-    if (settings->name != NULL) {
-        strcpy(writer.name, settings->name);
-    } else {
-        convert_name(settings->model, writer.name);
-    }
-    const bool ok = (is_pair(settings->output) ? write_pair : write_header)(&writer, &model, &mesh);
-    if (ok) {
-        print_report(settings, &model, &mesh);
-        command_print_warnings(settings, &model);
-        command_warn_of_size(settings, &mesh);
-        warn_of_steps(settings->model, &model, &mesh);
-        warn_of_winding(settings->model, &model.mesh);
-    }
-    free(suffixes);
+    const int status = convert(settings, &model, &mesh);
     quantised_free(&mesh);
     model_free(&model);
-    return ok ? 0 : COMMAND_FAILED;
+    return status;
 }

@@ -49,10 +49,41 @@ static void count_normals(host_model *model) {
     }
 }
 
+/** Has triangles number the parts of the model, by rising object and then material. */
+static bool number_parts(host_model *model, host_problem *problem) {
+    host_mesh *mesh = &model->mesh;
+    const size_t objects = model->materials.objects.count + 1;
+    const size_t materials = model->materials.used_count + 1;
+    uint32_t *numbers = memory_new(objects * materials, sizeof *numbers);
+    uint32_t count = 0;
+    bool ok = true;
+    for (size_t i = 0; ok && i < mesh->triangle_count; i++) {
+        ok = mesh->objects[i] < objects;
+        numbers[ok ? mesh->objects[i] * materials + mesh->materials[i] : 0] = 1;
+    }
+    model->parts = memory_new(objects * materials, sizeof *model->parts);
+    for (size_t i = 0; i < objects * materials; i++) {
+        if (numbers[i] > 0) {
+            model->parts[count] = (model_part){(uint32_t)(i / materials), (uint32_t)(i % materials)};
+            numbers[i] = count++;
+        }
+    }
+    for (size_t i = 0; ok && i < mesh->triangle_count; i++) {
+        mesh->materials[i] = numbers[mesh->objects[i] * materials + mesh->materials[i]];
+    }
+    free(numbers);
+    return ok || problem_set(problem, 0, "--objects: more than %d objects", OBJ_OBJECTS_MAX);
+}
+
 bool load_model(const char *name, const load_options *options, host_model *model, host_problem *problem) {
     const bool reduced = options->simplify > 0;
     host_mesh *mesh = &model->mesh;
     if (!load_mesh(name, options, model, problem)) {
+        return false;
+    }
+    model->parts = NULL;
+    if (options->objects && !number_parts(model, problem)) {
+        model_free(model);
         return false;
     }
     model->welded_count = options->weld >= 0 || reduced ? mesh_join(mesh, fmax(options->weld, 0)) : 0;
@@ -75,4 +106,5 @@ bool load_model(const char *name, const load_options *options, host_model *model
 void model_free(host_model *model) {
     mesh_free(&model->mesh);
     materials_free(&model->materials);
+    free(model->parts);
 }

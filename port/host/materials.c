@@ -125,7 +125,7 @@ static uint32_t use_material(host_materials *materials, size_t place) {
 
 /* ---- Public ----------------------------------------------------------------------------------------------------- */
 
-void materials_load(const char *model, const obj_materials *named, host_mesh *mesh, host_materials *materials,
+void materials_load(const char *model, obj_materials *named, host_mesh *mesh, host_materials *materials,
                     host_warnings *warnings) {
     library_loader loader = {.materials = materials, .folder = model};
     loader.folder_size = (size_t)(path_base_name(model) - model);
@@ -137,10 +137,12 @@ void materials_load(const char *model, const obj_materials *named, host_mesh *me
     materials_name(named, mesh, materials, warnings);
 }
 
-void materials_name(const obj_materials *named, host_mesh *mesh, host_materials *materials, host_warnings *warnings) {
+void materials_name(obj_materials *named, host_mesh *mesh, host_materials *materials, host_warnings *warnings) {
     text_notes notes = {.count = 0};
     uint32_t *numbers = memory_new(named->used.count + 1, sizeof *numbers);
     materials->used = memory_new(named->used.count, sizeof *materials->used);
+    materials->objects = named->objects;
+    memset(&named->objects, 0, sizeof named->objects);
     for (size_t i = 0; i < named->used.count; i++) {
         const obj_name *name = &named->used.list[i];
         const size_t place = find_named(&materials->all, name->text);
@@ -172,6 +174,7 @@ void materials_free(host_materials *materials) {
         free(materials->libraries[i].path);
     }
     free(materials->libraries);
+    obj_names_free(&materials->objects);
     free(materials->used);
     mtl_free(&materials->all);
     memset(materials, 0, sizeof *materials);

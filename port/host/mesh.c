@@ -13,6 +13,7 @@ void mesh_free(host_mesh *mesh) {
     free(mesh->triangles);
     free(mesh->colours);
     free(mesh->materials);
+    free(mesh->objects);
     memset(mesh, 0, sizeof *mesh);
 }
 
@@ -55,7 +56,9 @@ void mesh_add_triangle(host_mesh *mesh, mesh_corner a, mesh_corner b, mesh_corne
         memory_grow(mesh->triangles, &mesh->triangle_capacity, mesh->triangle_count, sizeof *mesh->triangles);
     mesh->materials =
         memory_grow(mesh->materials, &mesh->material_capacity, mesh->triangle_count, sizeof *mesh->materials);
+    mesh->objects = memory_grow(mesh->objects, &mesh->object_capacity, mesh->triangle_count, sizeof *mesh->objects);
     mesh->materials[mesh->triangle_count] = mesh->material;
+    mesh->objects[mesh->triangle_count] = mesh->object;
     mesh_corner *triangle = mesh->triangles[mesh->triangle_count++];
     triangle[0] = a;
     triangle[1] = b;

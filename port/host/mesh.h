@@ -30,10 +30,11 @@ typedef struct host_mesh {
     mesh_corner (*triangles)[3]; /**< Counter-clockwise seen from outside. */
     uint8_t (*colours)[3];       /**< Of the positions, 255 for 1; null when there are none. */
     uint32_t *materials;         /**< Of the triangles: 0 for none, else as whoever added them numbers materials. */
-    uint32_t material;           /**< Of triangles that are added. */
+    uint32_t *objects;           /**< Of the triangles, likewise: objects that the file names. */
+    uint32_t material, object;   /**< Of triangles that are added. */
     size_t position_count, position_capacity;
     size_t normal_count, normal_capacity;
-    size_t triangle_count, triangle_capacity, material_capacity;
+    size_t triangle_count, triangle_capacity, material_capacity, object_capacity;
     size_t colour_count, colour_capacity; /**< position_count, or 0 when there are none. */
     uint64_t clip_steps;                  /**< Corners looked at to clip ears, of all polygons. */
     size_t face_count;                    /**< Faces that the triangles came from. */

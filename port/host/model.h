@@ -88,10 +88,11 @@ void text_notes_write(const text_notes *notes, const char *const texts[], host_w
  *
  * Read: `v` (3 coordinates; a weight after them is checked and skipped; a colour, 0 to 1, is kept when all have one),
  * `vn`, `vt` (checked and skipped), and `f` with corners v, v/t, v//n or v/t/n, counting from 1 or, negative, back from
- * the last one read; a corner may refer only to what stands before it. Polygons become triangles. `g` and `o` are
- * counted. `usemtl` names the material of the faces after it and `mtllib` the files of materials: a name is the rest of
- * its line. Comments, CRLF, lone CR, a backslash at a line's end that continues it, a byte order mark, and a last line
- * without an end are all right. Smoothing groups and settings of other renderers are skipped.
+ * the last one read; a corner may refer only to what stands before it. Polygons become triangles. `o` and `g` name
+ * the object of the faces after them: both names where both hold, and `o` ends a group. `usemtl` names the material of
+ * the faces after it and `mtllib` the files of materials: a name is the rest of its line. Comments, CRLF, lone CR, a
+ * backslash at a line's end that continues it, a byte order mark, and a last line without an end are all right.
+ * Smoothing groups and settings of other renderers are skipped.
  *
  * With a warning of each kind, at the first line of it: textures, elements other than faces, and words that are no
  * keywords of the format are skipped with their line; an index left empty after a slash is taken as not given; when a
@@ -117,6 +118,9 @@ void text_notes_write(const text_notes *notes, const char *const texts[], host_w
 /** Most different files of materials. */
 #define OBJ_LIBRARIES_MAX 64
 
+/** Most different objects that are told apart. */
+#define OBJ_OBJECTS_MAX 1024
+
 /** A name in the file, and its first line. */
 typedef struct obj_name {
     char *text; /**< Ended by 0; bytes of 0 within are shown as '?'. */
@@ -133,10 +137,11 @@ typedef struct obj_names {
     size_t count, capacity;
 } obj_names;
 
-/** What the file says of materials; zeroed it is empty. */
+/** The names in a file; zeroed there are none. */
 typedef struct obj_materials {
     obj_names used;      /**< Names of usemtl: triangles of a mesh have 1 for the first of them. */
     obj_names libraries; /**< Of mtllib: a file's name, or several with blanks between them. */
+    obj_names objects;   /**< Of o and g, likewise; triangles of those beyond the most have one more than there are. */
 } obj_materials;
 
 /**
@@ -149,6 +154,9 @@ typedef struct obj_materials {
  */
 bool obj_read(const char *text, size_t length, host_mesh *mesh, obj_materials *materials, host_warnings *warnings,
               host_problem *problem);
+
+/** Frees what names own and makes them empty. */
+void obj_names_free(obj_names *names);
 
 /** Frees what obj_materials owns and makes it empty. */
 void obj_materials_free(obj_materials *materials);
@@ -222,6 +230,7 @@ typedef struct host_materials {
     mtl_library all;
     size_t *used; /**< Triangles of material i are of all.list[used[i - 1]]; those of material 0 are of none. */
     size_t used_count;
+    obj_names objects; /**< Names of objects, as obj_materials has them. */
     host_library *libraries;
     size_t library_count, library_capacity;
 } host_materials;
@@ -235,14 +244,15 @@ typedef struct host_materials {
  * @param materials set, whatever it held before; the caller frees it with materials_free
  * @param warnings what is missing is added to these
  */
-void materials_load(const char *model, const obj_materials *named, host_mesh *mesh, host_materials *materials,
+void materials_load(const char *model, obj_materials *named, host_mesh *mesh, host_materials *materials,
                     host_warnings *warnings);
 
 /**
  * Gives the triangles of a mesh the materials of `materials->all`, by the names that they have; the rest as above.
+ * @param named whose objects move to `materials`
  * @param materials with no material in use
  */
-void materials_name(const obj_materials *named, host_mesh *mesh, host_materials *materials, host_warnings *warnings);
+void materials_name(obj_materials *named, host_mesh *mesh, host_materials *materials, host_warnings *warnings);
 
 /** The material of a number; null for 0. */
 const mtl_material *materials_find(const host_materials *materials, uint32_t number);
@@ -336,15 +346,22 @@ typedef struct load_options {
     bool repair;          /**< Turn triangles that are wound the wrong way. */
     quantise_types types; /**< How the mesh is stored. */
     bool plain;           /**< Without clusters, in the order of the model. */
+    bool objects;         /**< Objects stay apart. */
     double weld;          /**< Distance within which positions become one; below 0 for not at all. */
     size_t simplify;      /**< Most triangles; 0 for as many as there are. */
     child_limits import;  /**< For what reads other formats than OBJ. */
 } load_options;
 
+/** The triangles of one object that have one material. */
+typedef struct model_part {
+    uint32_t object, material;
+} model_part;
+
 /** A model with normals at every corner. */
 typedef struct host_model {
     host_mesh mesh;
-    host_materials materials; /**< As the triangles number them. */
+    host_materials materials; /**< As the triangles number them... */
+    model_part *parts;        /**< ...or, where objects stay apart, as these do, which triangles number then. */
     uint64_t hash;            /**< FNV-1a, 64 bits, of the file's bytes, or of a shape's name. */
     size_t corner_count;      /**< Corners of all triangles... */
     size_t given_normals;     /**< ...and those of them whose normal came with the model. */

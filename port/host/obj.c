@@ -34,6 +34,7 @@ typedef struct obj_reader {
     size_t bare_line, bare_count; /* the first position without a colour; how many */
     mesh_corner *face;
     size_t face_count, face_capacity;
+    text_token object, group; /* the names of o and g that hold */
     text_notes notes;
     host_problem *problem;
 } obj_reader;
@@ -282,12 +283,7 @@ static bool read_face(obj_reader *reader) {
                        "faces that are not convex have too many corners: make them triangles first");
 }
 
-static bool read_group(obj_reader *reader) {
-    reader->mesh->group_count++;
-    return true;
-}
-
-/* ---- Materials -------------------------------------------------------------------------------------------------- */
+/* ---- Names ------------------------------------------------------------------------------------------------------ */
 
 /** The place of a name, added when it is new and there are fewer than `most`; else their count. */
 static size_t find_name(obj_names *names, text_token name, size_t line, size_t most) {
@@ -325,17 +321,46 @@ static bool read_library(obj_reader *reader) {
     return true;
 }
 
-static void free_names(obj_names *names) {
+/** Faces from here on are of the object and the group that hold: both names are one. */
+static bool choose_object(obj_reader *reader) {
+    const text_token o = reader->object;
+    const text_token g = reader->group;
+    const size_t gap = o.length > 0 && g.length > 0;
+    char *both = memory_new(o.length + g.length + gap + 1, 1);
+    memcpy(both, o.start, o.length);
+    memcpy(both + o.length, " ", gap);
+    memcpy(both + o.length + gap, g.start, g.length);
+    const text_token name = {both, o.length + gap + g.length};
+    const size_t place = find_name(&reader->materials->objects, name, reader->text.line, OBJ_OBJECTS_MAX);
+    free(both);
+    reader->mesh->object = (uint32_t)place + 1;
+    reader->mesh->group_count++;
+    return true;
+}
+
+static bool read_object(obj_reader *reader) {
+    reader->object = text_rest_of_line(&reader->text);
+    reader->group.length = 0;
+    return choose_object(reader);
+}
+
+static bool read_group(obj_reader *reader) {
+    reader->group = text_rest_of_line(&reader->text);
+    return choose_object(reader);
+}
+
+void obj_names_free(obj_names *names) {
     for (size_t i = 0; i < names->count; i++) {
         free(names->list[i].text);
     }
     free(names->list);
+    memset(names, 0, sizeof *names);
 }
 
 void obj_materials_free(obj_materials *materials) {
-    free_names(&materials->used);
-    free_names(&materials->libraries);
-    memset(materials, 0, sizeof *materials);
+    obj_names_free(&materials->used);
+    obj_names_free(&materials->libraries);
+    obj_names_free(&materials->objects);
 }
 
 /* ---- Files ------------------------------------------------------------------------------------------------------ */
@@ -345,7 +370,7 @@ static const struct obj_statement {
     bool (*read)(obj_reader *reader);
 } statements[] = {
     {"v", read_position}, {"vn", read_normal}, {"vt", read_texture},      {"f", read_face},
-    {"g", read_group},    {"o", read_group},   {"usemtl", read_material}, {"mtllib", read_library},
+    {"g", read_group},    {"o", read_object},  {"usemtl", read_material}, {"mtllib", read_library},
 };
 
 /** The format's other keywords (Wavefront, Advanced Visualizer manual, appendix B1), old ones included. */
@@ -410,6 +435,7 @@ bool obj_read(const char *text, size_t length, host_mesh *mesh, obj_materials *m
     memset(materials, 0, sizeof *materials);
     warnings->count = 0;
     obj_reader reader = {.text = text_begin(text, length), .mesh = mesh, .materials = materials, .problem = problem};
+    reader.object = reader.group = (text_token){text, 0};
     reader.notes.words_max = WORDS_MAX;
     bool ok = true;
     while (ok && reader.text.at < reader.text.end) {

@@ -447,5 +447,6 @@ void quantised_free(quantised_mesh *mesh) {
     }
     free(mesh->pieces);
     free(mesh->materials);
+    free(mesh->objects);
     memset(mesh, 0, sizeof *mesh);
 }

@@ -43,6 +43,7 @@ extern const char *const quantise_position_names[], *const quantise_normal_names
 typedef struct quantised_mesh {
     glint_mesh *pieces;
     uint32_t *materials; /**< Of the pieces: the numbers that their triangles have in the mesh. */
+    uint32_t *objects;   /**< Likewise, where objects stay apart (command_prepare), else null. */
     size_t piece_count;
     size_t vertex_count;   /**< Of all pieces: different (position, normal, colour) triples. */
     size_t triangle_count; /**< Of all pieces. */

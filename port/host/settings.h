@@ -52,6 +52,7 @@ typedef struct host_settings {
     double scale[3];     /**< None 0. */
     bool scale_fit;      /**< In place of it the power of ten that suits Q16.16. */
     bool centre, z_up;
+    bool fit; /**< Centre, and write the camera that sees all. */
 
     const glint_shading_model *reflection;
     const glint_evaluation *evaluation;

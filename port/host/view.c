@@ -60,7 +60,7 @@ void place_model(host_model *model, const host_settings *settings, bool turned) 
     if (settings->z_up) {
         mesh_turn(&model->mesh, 0, 0, -1);
     }
-    if (settings->centre) {
+    if (settings->centre || settings->fit) {
         double middle[3];
         mesh_bounds(&model->mesh, model->low, model->high);
         measure_box(model->low, model->high, middle);

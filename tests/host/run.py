@@ -15,6 +15,7 @@ import test_labels
 import test_materials
 import test_normals
 import test_obj
+import test_objects
 import test_output
 import test_place
 import test_render
@@ -29,7 +30,7 @@ from harness import Host
 
 def main():
     host = Host(sys.argv[1])
-    for module in (test_render, test_shading, test_obj, test_materials, test_place, test_winding, test_shapes, test_normals, test_errors, test_convert, test_import, test_simplify,
+    for module in (test_render, test_shading, test_obj, test_materials, test_place, test_winding, test_shapes, test_normals, test_errors, test_convert, test_objects, test_import, test_simplify,
                    test_clusters, test_scene, test_labels, test_animate, test_terminal, test_output, test_gallery):
         for name in (name for name in vars(module) if name.startswith("test_")):
             try:

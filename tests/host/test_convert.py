@@ -12,12 +12,13 @@ TOO_LARGE = r"big\.obj:0: warning: .* MB of flash, more than microcontrollers ha
 
 
 def convert(host, *arguments, warning=""):
-    """The header that `convert` writes, with no warning, or one that the pattern matches."""
-    run = host.run("convert", *arguments, "-o", "mesh.h")
+    """The header that `convert` writes, with no warning, or one that the pattern matches. Its names are the model's."""
+    name = os.path.splitext(os.path.basename(arguments[0]))[0] + ".h"
+    run = host.run("convert", *arguments, "-o", name)
     if run.returncode != 0 or re.fullmatch(warning, run.stderr) is None:
         raise AssertionError(f"convert {arguments}: {run.returncode} {run.stderr} {run.stdout}")
-    text = host.read("mesh.h").decode()
-    os.remove(host.path("mesh.h"))
+    text = host.read(name).decode()
+    os.remove(host.path(name))
     return text
 
 
@@ -59,8 +60,8 @@ def test_same_input_same_bytes(host):
     host.equal("convert twice", convert(host, "a.obj"), first)
     os.mkdir(host.path("sub"))
     shutil.copy(host.path("a.obj"), host.path("sub/a.obj"))
-    host.run("convert", "sub/a.obj", "-o", "sub/other.h")
-    host.equal("convert elsewhere", host.read("sub/other.h").decode(), first)
+    host.run("convert", "sub/a.obj", "-o", "sub/a.h")
+    host.equal("convert elsewhere", host.read("sub/a.h").decode(), first)
     shutil.rmtree(host.path("sub"))
     host.write("a.obj", SQUARE + "# more\n")
     host.check("the hash is the file's", convert(host, "a.obj") != first)
@@ -256,9 +257,9 @@ def test_pair(host):
             ("two", "two_mesh_front", ["two.obj", "--licence", "MIT"], ""), ("plain", "two_mesh", ["torus:24x12", "--name", "two"], ""),
             ("small", "small_mesh", ["torus:12x8", "--name", "small", "--positions", "int8", "--normals", "octahedral", "--indices", "8"], ""),
             ("big", "big_meshes[1]", ["big.obj"], TOO_LARGE)):
+        one = convert(host, *arguments, warning=warning)
         source, header = pair(host, name, *arguments, warning=warning)
         host.equal(f"{name}: the same whenever it is made", pair(host, name, *arguments, warning=warning), (source, header))
-        one = convert(host, *arguments, warning=warning)
         data = source.split(f'#include "{name}.h"\n')[1]
         host.equal(f"{name}: data as in a header", re.sub(r"^const ", "static const ", data, flags=re.M), one.split('#include "glint.h"\n')[1][:-len("\n#endif\n")])
         declared = sorted(re.findall(r"^extern (const \w+ [\w\[\]]+);", header, re.M))
@@ -286,7 +287,7 @@ def test_names_of_pairs(host):
     host.check("the header is found beside its source", '\n#include "b.h"\n' in host.read("sub/b.c").decode())
     shutil.rmtree(host.path("sub"))
     host.equal("a name of nothing but .c", host.run("convert", "box", "-o", ".c").returncode, 0)
-    host.check("is a header", b"#ifndef BOX_MESH_H" in host.read(".c"))
+    host.check("is a header", b"#ifndef M_C_MESH_H" in host.read(".c"))
     os.remove(host.path(".c"))
 
 

@@ -177,7 +177,7 @@ def test_without_materials_nothing_changes(host):
     """A model whose materials are not defined comes out as one without, and its header too but for the hash."""
     host.write("pair.obj", POINTS + LEFT + RIGHT)
     plain = host.render_bytes("pair.obj", *VIEW)
-    host.run("convert", "pair.obj", "-o", "plain.h")
+    host.run("convert", "pair.obj", "--name", "pair", "-o", "plain.h")
     write(host, "", PAIR)
     run = host.run("render", "pair.obj", *VIEW, "-o", "pair.png")
     host.check("unknown materials warn", run.stderr.count("\n") == 1 and host.read("pair.png") == plain, run.stderr)

@@ -65,8 +65,9 @@ def test_convert_says_what_to_do(host):
     for options in (["--scale", "fit"], ["--scale", "0.0036"]):
         run = host.run("convert", "huge.obj", *options, "-o", "out.h")
         host.equal(f"{options} does it", (run.returncode, run.stderr), (0, ""))
-    run = host.run("convert", "huge.obj", "--scale", "fit", "-o", "out.h")
-    header = host.read("out.h").decode()
+    run = host.run("convert", "huge.obj", "--scale", "fit", "-o", "huge.h")
+    header = host.read("huge.h").decode()
+    os.remove(host.path("huge.h"))
     host.check("--scale fit is in the head", "\n *     glint convert huge.obj --scale fit\n" in header)
     worst = max(abs(a - b) for p, q in zip(sorted(mesh(header, "huge")[0]), sorted(POINTS)) for a, b in zip(p, q))
     host.check("--scale fit is a power of ten", worst < 1e-4, str(worst))
@@ -82,10 +83,10 @@ def test_convert_says_what_to_do(host):
 
 
 def points(host, *options):
-    run = host.run("convert", "one.obj", "--no-clusters", *options, "-o", "out.h")
+    run = host.run("convert", "one.obj", "--no-clusters", *options, "-o", "one.h")
     host.equal(f"convert {' '.join(options)}", (run.returncode, run.stderr), (0, ""))
-    header = host.read("out.h").decode()
-    os.remove(host.path("out.h"))
+    header = host.read("one.h").decode()
+    os.remove(host.path("one.h"))
     return mesh(header, "one")[0]
 
 

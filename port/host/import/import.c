@@ -131,7 +131,13 @@ static void print_mesh(printer *out, const struct aiMesh *mesh, const placement 
     out->normal_count += has_normals ? mesh->mNumVertices : 0;
 }
 
+/** Prints a node's meshes, as an object of its name. */
 static void print_meshes(printer *out, const struct aiNode *node, const placement *place) {
+    struct aiString name = node->mName;
+    paint_plain(&name);
+    if (node->mNumMeshes > 0) {
+        printf("o %s\n", name.data);
+    }
     for (unsigned i = 0; i < node->mNumMeshes; i++) {
         const struct aiMesh *mesh = out->scene->mMeshes[node->mMeshes[i]];
         if (paint_is_none(out->scene, mesh->mMaterialIndex) == !out->painted) {

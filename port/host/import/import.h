@@ -23,6 +23,9 @@ int folder_open(struct aiFileIO *files, const char *model);
  */
 void paint_print(const struct aiScene *scene);
 
+/** Makes a name one of OBJ and MTL files: no blank, comment or continued line. */
+void paint_plain(struct aiString *name);
+
 /** Whether a material is that of what has none. */
 int paint_is_none(const struct aiScene *scene, unsigned material);
 

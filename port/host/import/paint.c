@@ -116,6 +116,12 @@ static int has_texture(const struct aiMaterial *material) {
     return type <= AI_TEXTURE_TYPE_MAX;
 }
 
+void paint_plain(struct aiString *name) {
+    for (char *c = name->data; *c != '\0'; c++) {
+        *c = (char)(*c > ' ' && *c <= '~' && *c != '#' && *c != '\\' ? *c : '_');
+    }
+}
+
 /** @return false for one that stands for none: by assimp's name for it, or by no name in formats that have none */
 static int name_of(const struct aiScene *scene, unsigned number, struct aiString *name) {
     name->length = 0;
@@ -125,9 +131,7 @@ static int name_of(const struct aiScene *scene, unsigned number, struct aiString
         (name->data[0] == '\0' && !is_physical(scene->mMaterials[number]))) {
         return 0;
     }
-    for (char *c = name->data; *c != '\0'; c++) { /* no blank, comment or continued line */
-        *c = (char)(*c > ' ' && *c <= '~' && *c != '#' && *c != '\\' ? *c : '_');
-    }
+    paint_plain(name);
     return 1;
 }
 
