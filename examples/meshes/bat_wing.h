@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
  * bat-wing.obj: 13 vertices, 12 triangles, 228 bytes of flash. Generated, not to be edited, by
- *     glint convert bat-wing.obj --name bat_wing --licence "MIT" --double-sided
+ *     glint convert bat-wing.obj --name bat_wing --licence MIT --double-sided
  * from a source whose FNV-1a hash (64 bits) is a2e1df428833c74d.
  *
  * positions  int16 steps: object space is offset + extent * step / 32768, per axis

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
  * box: 24 vertices, 12 triangles, 360 bytes of flash. Generated, not to be edited, by
- *     glint convert box --name box --licence "MIT"
+ *     glint convert box --name box --licence MIT
  * from a source whose FNV-1a hash (64 bits) is 004d2e191349e4f2.
  *
  * positions  int16 steps: object space is offset + extent * step / 32768, per axis

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
  * cone-capped:24x1: 73 vertices, 48 triangles, 1164 bytes of flash. Generated, not to be edited, by
- *     glint convert cone-capped:24x1 --name cone24x1 --licence "MIT"
+ *     glint convert cone-capped:24x1 --name cone24x1 --licence MIT
  * from a source whose FNV-1a hash (64 bits) is 00681af3a2062b73.
  *
  * positions  int16 steps: object space is offset + extent * step / 32768, per axis

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
  * cylinder-capped:10x2: 52 vertices, 60 triangles, 1148 bytes of flash. Generated, not to be edited, by
- *     glint convert cylinder-capped:10x2 --name cylinder10x2 --licence "MIT"
+ *     glint convert cylinder-capped:10x2 --name cylinder10x2 --licence MIT
  * from a source whose FNV-1a hash (64 bits) is ce8b2fbd1eaa35d4.
  *
  * positions  int16 steps: object space is offset + extent * step / 32768, per axis

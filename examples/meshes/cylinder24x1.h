@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
  * cylinder-capped:24x1: 98 vertices, 96 triangles, 1902 bytes of flash. Generated, not to be edited, by
- *     glint convert cylinder-capped:24x1 --name cylinder24x1 --licence "MIT"
+ *     glint convert cylinder-capped:24x1 --name cylinder24x1 --licence MIT
  * from a source whose FNV-1a hash (64 bits) is 3a5450b43da37882.
  *
  * positions  int16 steps: object space is offset + extent * step / 32768, per axis

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
  * cylinder-capped:30x2:1,0.85: 152 vertices, 180 triangles, 2904 bytes of flash. Generated, not to be edited, by
- *     glint convert cylinder-capped:30x2:1,0.85 --name cylinder30x2 --licence "MIT" --no-clusters
+ *     glint convert cylinder-capped:30x2:1,0.85 --name cylinder30x2 --licence MIT --no-clusters
  * from a source whose FNV-1a hash (64 bits) is f52d5e63f79eede8.
  *
  * positions  int16 steps: object space is offset + extent * step / 32768, per axis

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
  * cylinder-capped:48x16: 914 vertices, 1632 triangles, 21456 bytes of flash. Generated, not to be edited, by
- *     glint convert cylinder-capped:48x16 --name cylinder48x16 --licence "MIT"
+ *     glint convert cylinder-capped:48x16 --name cylinder48x16 --licence MIT
  * from a source whose FNV-1a hash (64 bits) is 0b3336737a2f72e6.
  *
  * positions  int16 steps: object space is offset + extent * step / 32768, per axis

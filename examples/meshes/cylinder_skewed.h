@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
  * cylinder-skewed.obj: 152 vertices, 180 triangles, 2904 bytes of flash. Generated, not to be edited, by
- *     glint convert cylinder-skewed.obj --name cylinder_skewed --licence "MIT" --no-clusters
+ *     glint convert cylinder-skewed.obj --name cylinder_skewed --licence MIT --no-clusters
  * from a source whose FNV-1a hash (64 bits) is d88e710e65bb1229.
  *
  * positions  int16 steps: object space is offset + extent * step / 32768, per axis

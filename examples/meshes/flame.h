@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
  * flame.obj: 62 vertices, 120 triangles, 1974 bytes of flash. Generated, not to be edited, by
- *     glint convert flame.obj --name flame --licence "MIT"
+ *     glint convert flame.obj --name flame --licence MIT
  * from a source whose FNV-1a hash (64 bits) is 23c3e546a6fa8c71.
  *
  * positions  int16 steps: object space is offset + extent * step / 32768, per axis

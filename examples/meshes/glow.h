@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
  * glow.obj: 193 vertices, 360 triangles, 4476 bytes of flash. Generated, not to be edited, by
- *     glint convert glow.obj --name glow --licence "MIT"
+ *     glint convert glow.obj --name glow --licence MIT
  * from a source whose FNV-1a hash (64 bits) is 92e0b12568f6e24a.
  *
  * positions  int16 steps: object space is offset + extent * step / 32768, per axis

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
  * picket.obj: 30 vertices, 16 triangles, 456 bytes of flash. Generated, not to be edited, by
- *     glint convert picket.obj --name picket --licence "MIT"
+ *     glint convert picket.obj --name picket --licence MIT
  * from a source whose FNV-1a hash (64 bits) is 6e00d25f931a1922.
  *
  * positions  int16 steps: object space is offset + extent * step / 32768, per axis

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
  * plane:1x1: 4 vertices, 2 triangles, 60 bytes of flash. Generated, not to be edited, by
- *     glint convert plane:1x1 --name plane1x1 --licence "MIT"
+ *     glint convert plane:1x1 --name plane1x1 --licence MIT
  * from a source whose FNV-1a hash (64 bits) is d6c12cc7d3286ebf.
  *
  * positions  int16 steps: object space is offset + extent * step / 32768, per axis

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
  * pumpkin.obj: 682 vertices, 1360 triangles, 19638 bytes of flash. Generated, not to be edited, by
- *     glint convert pumpkin.obj --name pumpkin --licence "MIT"
+ *     glint convert pumpkin.obj --name pumpkin --licence MIT
  * from a source whose FNV-1a hash (64 bits) is b5fb156223ab6673.
  *
  * positions  int16 steps: object space is offset + extent * step / 32768, per axis

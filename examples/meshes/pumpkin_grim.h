@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
  * pumpkin-grim.obj: 1498 vertices, 2862 triangles, 40376 bytes of flash. Generated, not to be edited, by
- *     glint convert pumpkin-grim.obj --name pumpkin_grim --licence "MIT"
+ *     glint convert pumpkin-grim.obj --name pumpkin_grim --licence MIT
  * from a source whose FNV-1a hash (64 bits) is 12a0bc78fa00df29.
  *
  * positions  int16 steps: object space is offset + extent * step / 32768, per axis

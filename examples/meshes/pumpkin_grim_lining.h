@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
  * pumpkin-grim-lining.obj: 1600 vertices, 2310 triangles, 33060 bytes of flash. Generated, not to be edited, by
- *     glint convert pumpkin-grim-lining.obj --name pumpkin_grim_lining --licence "MIT" --double-sided
+ *     glint convert pumpkin-grim-lining.obj --name pumpkin_grim_lining --licence MIT --double-sided
  * from a source whose FNV-1a hash (64 bits) is 927d8cb92e6bb9f0.
  *
  * positions  int16 steps: object space is offset + extent * step / 32768, per axis

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
  * pumpkin-merry.obj: 1500 vertices, 2862 triangles, 40632 bytes of flash. Generated, not to be edited, by
- *     glint convert pumpkin-merry.obj --name pumpkin_merry --licence "MIT"
+ *     glint convert pumpkin-merry.obj --name pumpkin_merry --licence MIT
  * from a source whose FNV-1a hash (64 bits) is 1d9db3e126de444c.
  *
  * positions  int16 steps: object space is offset + extent * step / 32768, per axis

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
  * pumpkin-merry-lining.obj: 1620 vertices, 2322 triangles, 33372 bytes of flash. Generated, not to be edited, by
- *     glint convert pumpkin-merry-lining.obj --name pumpkin_merry_lining --licence "MIT" --double-sided
+ *     glint convert pumpkin-merry-lining.obj --name pumpkin_merry_lining --licence MIT --double-sided
  * from a source whose FNV-1a hash (64 bits) is 75560b99feb7efbe.
  *
  * positions  int16 steps: object space is offset + extent * step / 32768, per axis

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
  * sphere:10x6: 52 vertices, 100 triangles, 1572 bytes of flash. Generated, not to be edited, by
- *     glint convert sphere:10x6 --name sphere10x6 --licence "MIT"
+ *     glint convert sphere:10x6 --name sphere10x6 --licence MIT
  * from a source whose FNV-1a hash (64 bits) is 1ed0d611c44c84e9.
  *
  * positions  int16 steps: object space is offset + extent * step / 32768, per axis

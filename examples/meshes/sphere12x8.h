@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
  * sphere:12x8: 86 vertices, 168 triangles, 2492 bytes of flash. Generated, not to be edited, by
- *     glint convert sphere:12x8 --name sphere12x8 --licence "MIT"
+ *     glint convert sphere:12x8 --name sphere12x8 --licence MIT
  * from a source whose FNV-1a hash (64 bits) is 30c6b611cea6be2d.
  *
  * positions  int16 steps: object space is offset + extent * step / 32768, per axis

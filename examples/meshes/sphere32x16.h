@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
  * sphere:32x16: 482 vertices, 960 triangles, 13222 bytes of flash. Generated, not to be edited, by
- *     glint convert sphere:32x16 --name sphere32x16 --licence "MIT"
+ *     glint convert sphere:32x16 --name sphere32x16 --licence MIT
  * from a source whose FNV-1a hash (64 bits) is f0824dc10bc64626.
  *
  * positions  int16 steps: object space is offset + extent * step / 32768, per axis

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
  * sphere:48x32: 1490 vertices, 2976 triangles, 39756 bytes of flash. Generated, not to be edited, by
- *     glint convert sphere:48x32 --name sphere48x32 --licence "MIT"
+ *     glint convert sphere:48x32 --name sphere48x32 --licence MIT
  * from a source whose FNV-1a hash (64 bits) is a8f06da0a3ccbe77.
  *
  * positions  int16 steps: object space is offset + extent * step / 32768, per axis

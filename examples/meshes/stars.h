@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
  * stars.obj: 270 vertices, 90 triangles, 3780 bytes of flash. Generated, not to be edited, by
- *     glint convert stars.obj --name stars --licence "MIT"
+ *     glint convert stars.obj --name stars --licence MIT
  * from a source whose FNV-1a hash (64 bits) is 2034a70490f5175a.
  *
  * positions  int16 steps: object space is offset + extent * step / 32768, per axis

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
  * stem.obj: 73 vertices, 108 triangles, 1814 bytes of flash. Generated, not to be edited, by
- *     glint convert stem.obj --name stem --licence "MIT"
+ *     glint convert stem.obj --name stem --licence MIT
  * from a source whose FNV-1a hash (64 bits) is a949fa25def0c138.
  *
  * positions  int16 steps: object space is offset + extent * step / 32768, per axis

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
  * teapot.obj: 1178 vertices, 2256 triangles, 27672 bytes of flash. Generated, not to be edited, by
- *     glint convert teapot.obj --licence "MIT" --no-clusters
+ *     glint convert teapot.obj --licence MIT --no-clusters
  * from a source whose FNV-1a hash (64 bits) is 2dabae2cad99b134.
  *
  * positions  int16 steps: object space is offset + extent * step / 32768, per axis

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
  * tombstone.obj: 90 vertices, 56 triangles, 1416 bytes of flash. Generated, not to be edited, by
- *     glint convert tombstone.obj --name tombstone --licence "MIT"
+ *     glint convert tombstone.obj --name tombstone --licence MIT
  * from a source whose FNV-1a hash (64 bits) is 60753fb79458a0ee.
  *
  * positions  int16 steps: object space is offset + extent * step / 32768, per axis

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
  * torus:12x8: 96 vertices, 192 triangles, 3162 bytes of flash. Generated, not to be edited, by
- *     glint convert torus:12x8 --name torus12x8 --licence "MIT"
+ *     glint convert torus:12x8 --name torus12x8 --licence MIT
  * from a source whose FNV-1a hash (64 bits) is ef65f090b5c532f3.
  *
  * positions  int16 steps: object space is offset + extent * step / 32768, per axis

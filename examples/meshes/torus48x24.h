@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
  * torus:48x24: 1152 vertices, 2304 triangles, 31262 bytes of flash. Generated, not to be edited, by
- *     glint convert torus:48x24 --name torus48x24 --licence "MIT"
+ *     glint convert torus:48x24 --name torus48x24 --licence MIT
  * from a source whose FNV-1a hash (64 bits) is d754b8a4ea5fb302.
  *
  * positions  int16 steps: object space is offset + extent * step / 32768, per axis

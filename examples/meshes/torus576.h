@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
  * torus:24x12: 288 vertices, 576 triangles, 6912 bytes of flash. Generated, not to be edited, by
- *     glint convert torus:24x12 --name torus576 --licence "MIT" --no-clusters
+ *     glint convert torus:24x12 --name torus576 --licence MIT --no-clusters
  * from a source whose FNV-1a hash (64 bits) is 33e3a8dd20ed3e11.
  *
  * positions  int16 steps: object space is offset + extent * step / 32768, per axis

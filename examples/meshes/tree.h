@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
  * tree.obj: 672 vertices, 1008 triangles, 17102 bytes of flash. Generated, not to be edited, by
- *     glint convert tree.obj --name tree --licence "MIT"
+ *     glint convert tree.obj --name tree --licence MIT
  * from a source whose FNV-1a hash (64 bits) is 239298ed90ffe831.
  *
  * positions  int16 steps: object space is offset + extent * step / 32768, per axis

@@ -225,68 +225,35 @@ static void print_in_comment(host_bytes *out, const char *text) {
     }
 }
 
-static void print_load_options(host_bytes *out, const load_options *load) {
-    if (load->weld >= 0) {
-        bytes_print(out, " --weld %.9g", load->weld);
-    }
-    if (load->simplify > 0) {
-        bytes_print(out, " --simplify %zu", load->simplify);
-    }
-    if (load->crease >= 0) {
-        bytes_print(out, " --crease %.9g", load->crease);
-    }
-    if (load->weights != MESH_BY_AREA) {
-        bytes_print(out, " --weights %s", mesh_weight_names[load->weights]);
-    }
-    if (load->types.positions != QUANTISE_POSITIONS_INT16) {
-        bytes_print(out, " --positions %s", quantise_position_names[load->types.positions]);
-    }
-    if (load->types.normals != QUANTISE_NORMALS_INT16) {
-        bytes_print(out, " --normals %s", quantise_normal_names[load->types.normals]);
-    }
-    if (load->types.indices != QUANTISE_INDICES_16) {
-        bytes_print(out, " --indices %s", quantise_index_names[load->types.indices]);
-    }
-    bytes_print(out, "%s%s%s", load->facets ? " --facets" : "", load->repair ? " --repair" : "",
-                load->plain ? " --no-clusters" : "");
+/** The same as a word of a shell, between quotes where it needs them. */
+static void print_word(host_bytes *out, const char *word) {
+    const bool plain = word[0] != '\0' && word[strcspn(word, " \t()'\"$&;<>|`")] == '\0';
+    bytes_print(out, plain ? " " : " \"");
+    print_in_comment(out, word);
+    bytes_print(out, plain ? "" : "\"");
 }
 
 /**
- * The options that shape the mesh, in one order. The file's name is among them where it changes the bytes: where the
- * arrays have it, and the model another, and of a pair, as the source names its header.
+ * The model without its folder, and the options as they were given. The file's name is among them where it changes the
+ * bytes: where the arrays have it, and the model another, and of a pair, as the source names its header.
  */
 static void print_command_line(const header_writer *writer) {
     const host_settings *settings = writer->settings;
-    const double *scale = settings->scale;
     char name[CONVERT_NAME_SIZE];
-    bytes_print(writer->out, "glint convert ");
-    print_in_comment(writer->out, path_base_name(settings->model));
-    if (settings->name != NULL) {
-        bytes_print(writer->out, " --name %s", settings->name);
-    }
-    if (settings->licence != NULL) {
-        bytes_print(writer->out, " --licence \"%s\"", settings->licence);
-    }
-    print_load_options(writer->out, &settings->load);
-    bytes_print(writer->out, "%s%s%s", settings->z_up ? " --up-axis z" : "", settings->centre ? " --centre" : "",
-                settings->scale_fit ? " --scale fit" : "");
-    if (scale[0] < 1 || scale[0] > 1 || scale[1] < 1 || scale[1] > 1 || scale[2] < 1 || scale[2] > 1) {
-        bytes_print(writer->out, " --scale %.9g,%.9g,%.9g", scale[0], scale[1], scale[2]);
-    }
-    for (int axis = 0; axis < 3; axis++) {
-        if (settings->rotate[axis] != 0) {
-            bytes_print(writer->out, " --rotate-%c %.9g", "xyz"[axis], number_from_q16(settings->rotate[axis]));
+    bytes_print(writer->out, "glint convert");
+    print_word(writer->out, path_base_name(settings->model));
+    for (int i = 0; i < settings->argument_count; i++) {
+        const char *word = settings->arguments[i];
+        if (strcmp(word, "-o") == 0) {
+            i++;
+        } else if (word != settings->model && strncmp(word, "-o=", 3) != 0) {
+            print_word(writer->out, word);
         }
-    }
-    bytes_print(writer->out, "%s%s%s", settings->double_sided ? " --double-sided" : "",
-                settings->load.objects ? " --objects" : "", settings->fit ? " --fit" : "");
-    if (settings->fit) {
-        bytes_print(writer->out, " --panel %ux%u", settings->panel.width, settings->panel.height);
     }
     convert_name(settings->model, name);
     if (is_pair(settings->output) || (settings->name == NULL && strcmp(name, writer->name) != 0)) {
-        bytes_print(writer->out, " -o ");
-        print_in_comment(writer->out, path_base_name(settings->output));
+        bytes_print(writer->out, " -o");
+        print_word(writer->out, path_base_name(settings->output));
     }
 }
 

@@ -427,6 +427,8 @@ void settings_default(host_settings *settings) {
 
 bool settings_parse(host_settings *settings, int command, int count, char **arguments, host_problem *problem) {
     int taken;
+    settings->arguments = arguments;
+    settings->argument_count = count;
     for (int i = 0; i < count; i += taken) {
         if (arguments[i][0] == '-' && arguments[i][1] != '\0') {
             taken = take_option(settings, command, count - i, arguments + i, problem);

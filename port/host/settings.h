@@ -27,6 +27,9 @@ typedef struct settings_panel {
 
 /** All that options can say; settings_default gives what holds without them. Strings are the command line's own. */
 typedef struct host_settings {
+    char *const *arguments; /**< As they were given, and... */
+    int argument_count;     /**< ...how many of them. */
+
     const char *model;  /**< File, shape or scene, or null. */
     const char *output; /**< File to write, or null. */
 

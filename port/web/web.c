@@ -63,7 +63,7 @@ int EXPORT(web_hand)(const char *name, const uint8_t *data, size_t size) {
 
 /** Takes `size` bytes of words apart. @return false with a problem told */
 static bool take_words(int command, char *words, size_t size) {
-    char *list[WORDS_MAX];
+    static char *list[WORDS_MAX]; /* the settings keep them */
     int count = 0;
     host_problem problem;
     for (size_t i = 0; i < size && count < WORDS_MAX; i += strlen(words + i) + 1) {

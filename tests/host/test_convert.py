@@ -39,19 +39,18 @@ def mesh(text, name):
     return positions, normals, array(text, name + "_triangles")[0], offset, extent
 
 
-def checked_in():
-    """[(header, arguments)] of the meshes that `make meshes` writes."""
-    with open(os.path.join(ROOT, "examples", "scenes", "meshes.mk"), encoding="utf-8") as file:
-        return [(name, arguments.replace("examples/models", MODELS).split())
-                for name, arguments in re.findall(r"^MESH_(\w+) := (.+)$", file.read(), re.MULTILINE)]
-
-
 def test_checked_in_meshes(host):
-    for name, arguments in checked_in():
-        with open(os.path.join(ROOT, "examples", "meshes", name + ".h"), encoding="utf-8") as file:
-            host.check(f"examples/meshes/{name}.h is up to date (make meshes)", file.read() == convert(host, *arguments))
-    headers = {file for file in os.listdir(os.path.join(ROOT, "examples", "meshes")) if file.endswith(".h")}
-    host.equal("every mesh is made by make meshes", headers, {name + ".h" for name, _ in checked_in()})
+    """Each says how it was made."""
+    folder = os.path.join(ROOT, "examples", "meshes")
+    headers = sorted(file for file in os.listdir(folder) if file.endswith(".h"))
+    host.check("there are meshes", len(headers) > 20)
+    for header in headers:
+        with open(os.path.join(folder, header), encoding="utf-8") as file:
+            text = file.read()
+        model, *options = re.search(r"^ \*     glint convert (.+)$", text, re.MULTILINE)[1].split()
+        path = os.path.join(MODELS, model)
+        host.check(f"examples/meshes/{header} is up to date (make meshes)",
+                   text == convert(host, path if os.path.exists(path) else model, *options))
 
 
 def test_same_input_same_bytes(host):
@@ -80,8 +79,7 @@ def test_head(host):
     host.check("default name", "static const glint_mesh my_model_2_mesh = {" in text)
     host.check("guard", "#ifndef MY_MODEL_2_MESH_H\n#define MY_MODEL_2_MESH_H\n" in text and text.endswith("\n#endif\n"))
     host.check("hash", fnv1a(SQUARE.encode()) in text)
-    host.check("command line", '\n *     glint convert my model.2.obj --licence "CC0-1.0" --crease 30 --scale 2,2,2 '
-               "--double-sided\n" in text)
+    host.check("command line", '\n *     glint convert "my model.2.obj" --crease 30 --scale 2,2,2 --double-sided --licence CC0-1.0\n' in text)
     host.check("licence", text.startswith("/* SPDX-License-Identifier: CC0-1.0 */\n"))
     host.check("flag", "    GLINT_MESH_DOUBLE_SIDED,\n    0,\n    0, /* no colours */\n    0, /* no clusters */\n    0, /* no layout */\n};" in text)
     host.check("Q formats", "Q16.16" in text and "Q15" in text and "offset + extent * step / 32768" in text)
@@ -336,7 +334,7 @@ def test_types(host):
         told = host.run("convert", model, "--name", "t", "--no-clusters", *options, "-o", "t.h").stdout
         told = dict(line.split(" ", 1) for line in told.splitlines())
         text, plain = host.read("t.h").decode(), convert(host, model, "--name", "t", "--no-clusters")
-        host.check(f"{options}: command line", f"{' '.join(options)} --no-clusters\n" in text)
+        host.check(f"{options}: command line", f" --no-clusters {' '.join(options)}\n" in text)
         (kind, points), (normal_kind, normals), (index_kind, triangles) = (numbers(text, "t_" + w) for w in ("positions", "normals", "triangles"))
         wanted = ("int8_t" if "int8" in options else "int16_t",
                   "int8_t" if "octahedral" in options else "int16_t", "uint8_t" if "--indices" in options else "uint16_t")
