@@ -110,11 +110,12 @@ linker        = $(or $(wildcard linker/$1.ld),linker/$($1_LIKE).ld)
 cross         = $(or $($1_TOOLS),$(CROSS))
 board_gcc     = $(call cross,$1)gcc $($1_CPU)
 
-# ---- Programs: sources; bytes of stack where the linker script's are too few (STACK), and functions that a program wraps
+# ---- Programs: sources, where it is not one file of that name; bytes of stack where the linker script's are too few (STACK), and functions that a program wraps
 # ---- (WRAP). Vertices lit by lights that have positions take the deepest stack.
 
-PROGRAM_turntable := examples/firmware/turntable_main.c examples/turntable/turntable.c
-PROGRAM_show      := examples/firmware/show_main.c examples/turntable/turntable.c
+TURNTABLE         := examples/turntable/turntable.c
+PROGRAM_turntable := examples/firmware/turntable_main.c $(TURNTABLE)
+PROGRAM_show      := examples/firmware/show_main.c $(TURNTABLE)
 PROGRAM_scenes    := examples/firmware/scenes_main.c examples/firmware/shown.c $(EXAMPLE_SCENES)
 STACK_scenes      := 4608
 PROGRAM_animate   := examples/firmware/animate_main.c examples/firmware/animation.c $(EXAMPLE_SCENES)
@@ -122,10 +123,8 @@ STACK_animate     := 5120
 PROGRAM_compose   := examples/firmware/compose_main.c $(wildcard examples/compose/*.c)
 PROGRAM_moving    := examples/firmware/moving_main.c examples/moving/moving.c
 PROGRAM_own_flush := $(BUILD)/readme/own_flush.c tests/board/lcd.c
-PROGRAM_minimal   := examples/firmware/minimal.c
 PROGRAM_model     := examples/firmware/model_main.c
-PROGRAM_pattern   := tests/board/pattern.c
-IDENTITY_FRAMES   := tests/board/identity.c tests/board/frames.c examples/turntable/turntable.c $(EXAMPLE_SCENES)
+IDENTITY_FRAMES   := tests/board/identity.c tests/board/frames.c $(TURNTABLE) $(EXAMPLE_SCENES)
 PROGRAM_identity     := tests/board/identity_board.c $(IDENTITY_FRAMES)
 PROGRAM_identity-16k := tests/board/identity_16k_board.c $(IDENTITY_FRAMES)
 PROGRAM_identity-8k  := tests/board/identity_8k_board.c $(IDENTITY_FRAMES)
@@ -135,24 +134,19 @@ PROGRAM_unit-pico := tests/board/unit_pico.c $(filter-out tests/unit/unit.c,$(PR
 STACK_unit-pico   := 4224
 PROGRAM_unit-8k   := tests/board/unit.c tests/board/unit_8k.c tests/harness.c \
     $(addprefix tests/unit/,generators.c domains.c drawing.c)
-PROGRAM_faults-lm3s6965evb := tests/board/faults.c tests/board/faults_lm3s6965evb.c examples/turntable/turntable.c
-PROGRAM_faults-pico        := tests/board/faults.c tests/board/faults_pico.c examples/turntable/turntable.c
-PROGRAM_power_cut := tests/board/power_cut_board.c examples/turntable/turntable.c
+PROGRAM_faults-lm3s6965evb := tests/board/faults.c tests/board/faults_lm3s6965evb.c $(TURNTABLE)
+PROGRAM_faults-pico        := tests/board/faults.c tests/board/faults_pico.c $(TURNTABLE)
+PROGRAM_power_cut := tests/board/power_cut_board.c $(TURNTABLE)
 PROGRAM_endurance := tests/endurance/endurance_board.c tests/endurance/endurance.c $(EXAMPLE_SCENES)
 STACK_endurance   := 5120
-PROGRAM_frames    := tools/bench/frames.c
 METHODS           := $(addprefix tests/methods/,methods.c power.c normalise.c)
 PROGRAM_methods   := tools/bench/methods.c $(METHODS)
-PROGRAM_scaling   := tools/scaling/scaling.c
 
 # These measure, and are not for a board to run.
-PROGRAM_workloads     := tools/bench/workload_frames.c tools/bench/workloads.c tools/bench/boxes.c $(EXAMPLE_SCENES)
-FLOAT_RENDERER        := $(filter-out %/frames.c,$(wildcard tools/bench/float/*.c)) tools/bench/workloads.c tools/bench/boxes.c \
-    $(EXAMPLE_SCENES)
+WORKLOADS             := tools/bench/workloads.c tools/bench/boxes.c $(EXAMPLE_SCENES)
+PROGRAM_workloads     := tools/bench/workload_frames.c $(WORKLOADS)
+FLOAT_RENDERER        := $(filter-out %/frames.c,$(wildcard tools/bench/float/*.c)) $(WORKLOADS)
 PROGRAM_float         := tools/bench/float/frames.c $(FLOAT_RENDERER)
-PROGRAM_loops         := tests/cycles/loops.c
-PROGRAM_frame_board   := tools/chart/frame_board.c
-PROGRAM_shading_board := tools/chart/shading_board.c
 PROGRAM_arena_board   := tools/chart/arena_board.c $(EXAMPLE_SCENES)
 PROGRAM_gallery_costs := tools/gallery/costs_board.c $(EXAMPLE_SCENES)
 PROGRAM_animate-marked := $(PROGRAM_animate) tools/boards/marked.c
@@ -241,11 +235,15 @@ $(SHARED:%=$(BUILD)/%/libglint.a): $(BUILD)/%/libglint.a: $(BUILD)/$$(call twin,
 	@rm -rf $(@D)/src && ln -s ../../$(call twin,$*)/src $(@D)/src
 	$(Q)cp $< $@
 
+# The source of a program that is one file.
+program_file = $(firstword $(wildcard examples/firmware/$1.c tools/*/$1.c tests/*/$1.c))
+
 # `make run` builds MODEL, or PROGRAM: one of those above, or somebody's own, which is built each time, from wherever it lies,
 # and may have warnings. Where there is room it gets the stack of scenes.
 PROGRAM     ?= $(if $(MODEL),model,show)
-RUN_OWN     := $(if $(PROGRAM_$(PROGRAM)),,$(PROGRAM))
-PROGRAM_run := $(or $(PROGRAM_$(PROGRAM)),$(PROGRAM)) tests/board/watched.c
+PROGRAM_run := $(or $(PROGRAM_$(PROGRAM)),$(call program_file,$(PROGRAM)))
+RUN_OWN     := $(if $(PROGRAM_run),,$(PROGRAM))
+PROGRAM_run := $(or $(PROGRAM_run),$(PROGRAM)) tests/board/watched.c
 run_folder   = $(BUILD)/$1/$(if $(filter $1,$(COLOUR_BOARDS)),O2,release)
 RUN         := $(if $(filter $(BOARD),$(BOARDS)),$(call run_folder,$(BOARD)))
 STACK       ?= $(or $(STACK_$(PROGRAM)),$(if $(filter %/O2,$(RUN)),$(STACK_animate)))
@@ -260,7 +258,7 @@ $(call objects,$(RUN),$(PROGRAM_model)): FIRMWARE_CFLAGS += -DMODEL_HEADER=\"$(a
     $$(grep -q model_objects $(RUN_MODEL) && echo -DMODEL_HAS_MATERIALS)
 
 # $(call firmware_sources,board/level/program): also the board's
-firmware_sources = $(PROGRAM_$(notdir $1)) $(call board_sources,$(call board,$1))
+firmware_sources = $(or $(PROGRAM_$(notdir $1)),$(call program_file,$(notdir $1))) $(call board_sources,$(call board,$1))
 $(FIRMWARE) $(MEASURING) $(RUN:%=%/run.elf): $(BUILD)/%.elf: $$(call objects,$$(@D),$$(call firmware_sources,$$*)) \
         $$(@D)/libglint.a $$(call linker,$$(call board,$$*)) linker/sections.ld
 	$(Q)$(call board_gcc,$(call board,$*)) $(FIRMWARE_LDFLAGS) $(STACK_$(*F):%=-Wl,--defsym=stack_size=%) \

@@ -5,10 +5,11 @@ QEMU       ?= qemu-system-arm
 QEMU_RISCV ?= qemu-system-riscv32
 export QEMU_RISCV
 
-# The emulator of the Raspberry Pi Pico is from npm: version and checksum stand in package-lock.json.
-export NODE_MODULES := $(abspath $(BUILD)/pico/emulator/node_modules)
-PICO_EMULATOR := $(BUILD)/pico/emulator/installed
-$(PICO_EMULATOR): tests/pico/package.json tests/pico/package-lock.json
+# The emulator of the Raspberry Pi Pico, and what drives the page's browser, are from npm: versions and checksums stand in
+# package-lock.json.
+export NODE_MODULES := $(abspath $(BUILD)/npm/pico/node_modules)
+PICO_EMULATOR := $(BUILD)/npm/pico/installed
+$(BUILD)/npm/%/installed: tests/%/package.json tests/%/package-lock.json
 	@mkdir -p $(@D)
 	$(Q)cp $^ $(@D)
 	$(Q)cd $(@D) && npm ci --no-audit --no-fund --silent

@@ -90,7 +90,8 @@ $(foreach variant,host sanitize $(UNNUMBERED) threads sanitize-small,$(eval $(ca
 
 CLUSTERS      := $(addprefix port/host/,cluster.c basics.c)
 TEST_HARNESS  := tests/harness.c tests/main.c
-TEST_SCENES   := tests/image/picture.c tests/image/scenes.c examples/bench/bench.c $(CLUSTERS)
+BENCH_SCENES  := examples/bench/bench.c $(CLUSTERS)
+TEST_SCENES   := tests/image/picture.c tests/image/scenes.c $(BENCH_SCENES)
 TEST_JUDGE    := $(filter-out %/picture.c,$(JUDGE_SOURCES)) tests/image/judge.c
 TEST_CONTRACT := tests/stability/contract.c tests/stability/weights.c tests/image/picture.c $(TEST_JUDGE)
 PIXEL_SUMS    := tests/image/pixel_sums.c tests/image/surfaces.c tests/stability/random_scene.c tests/stability/weights.c \
@@ -101,7 +102,8 @@ STABILITY_REGIONS := $(sort $(filter-out $(patsubst %,tests/stability/%.c,region
     $(TEST_CONTRACT))
 PANEL_MODEL   := $(wildcard tests/panel/*model*.c)
 PANEL_SHARED  := $(addprefix tests/panel/,wire.c panels.c patterns.c) $(PANEL_MODEL) $(wildcard port/panel/*.c) $(TEST_HARNESS) $(TEST_SCENES)
-suite_sources = $(or $(SUITE_$1),$(wildcard tests/image/$1.c tests/reference/$1.c tests/api/$1.c) $(TEST_SHARED))
+suite_sources = $(or $(SUITE_$1),$(if $(filter $(PANEL_SUITES),$1),$(1:panel_%=tests/panel/%.c) $(PANEL_SHARED),\
+    $(wildcard tests/image/$1.c tests/reference/$1.c tests/api/$1.c) $(TEST_SHARED)))
 
 IMAGE_SUITES := accuracy models formats extremes coverage pixels layouts region callbacks pick kept arenas dark motion lines \
     orthographic patches corners rooms checked workloads
@@ -125,14 +127,10 @@ SUITE_frames  := tests/board/identity_host.c $(IDENTITY_FRAMES)
 SUITE_levels  := tests/levels/draw.c tests/image/picture.c $(addprefix tests/stability/,random_scene.c large_scene.c weights.c)
 SUITE_endurance     := tests/endurance/endurance_host.c tests/endurance/endurance.c $(EXAMPLE_SCENES)
 SUITE_bus           := $(TEST_HARNESS) tests/board/bus.c $(wildcard port/panel/*.c)
-SUITE_panel_pictures   := tests/panel/pictures.c $(PANEL_SHARED)
-SUITE_panel_complaints := tests/panel/complaints.c $(PANEL_SHARED)
-SUITE_panel_faults     := tests/panel/faults.c $(PANEL_SHARED)
-SUITE_panel_i2c        := tests/panel/i2c.c $(PANEL_SHARED)
 # These are other programs of this machine.
 SUITE_panel_stream     := tests/panel/panel_stream.c $(PANEL_MODEL)
-SUITE_panel_host       := tests/board/panel_host.c tests/board/frames.c examples/firmware/shown.c examples/turntable/turntable.c $(EXAMPLE_SCENES)
-SUITE_show             := tests/board/show_host.c tests/image/picture.c examples/turntable/turntable.c examples/firmware/animation.c \
+SUITE_panel_host       := tests/board/panel_host.c tests/board/frames.c examples/firmware/shown.c $(TURNTABLE) $(EXAMPLE_SCENES)
+SUITE_show             := tests/board/show_host.c tests/image/picture.c $(TURNTABLE) examples/firmware/animation.c \
     $(wildcard examples/compose/*.c) examples/moving/moving.c $(EXAMPLE_SCENES)
 SUITE_print_torus      := tests/image/print_torus.c examples/bench/bench.c
 SUITE_print_checksums  := tests/image/print_checksums.c tests/harness.c $(addprefix tests/unit/,checksummed.c domains.c fixture.c)
@@ -376,7 +374,7 @@ PACKAGES := $(BUILD)/packages
 $(PACKAGES)/minimal: tests/packages/board.c examples/firmware/minimal.c $(addprefix port/panel/,$(lm3s6965evb_PANEL)) $(BUILD)/host/libglint.a
 	@mkdir -p $(@D)
 	$(Q)$(CC) $(HOST_CFLAGS) -Iport $^ -o $@
-$(PACKAGES)/turntable: tests/packages/turntable.c examples/turntable/turntable.c $(addprefix port/host/,framebuffer.c basics.c) $(BUILD)/host/libglint.a
+$(PACKAGES)/turntable: tests/packages/turntable.c $(TURNTABLE) $(addprefix port/host/,framebuffer.c basics.c) $(BUILD)/host/libglint.a
 	@mkdir -p $(@D)
 	$(Q)$(CC) $(HOST_CFLAGS) -Iport/host -Iexamples $^ -o $@
 test-packages: $(PACKAGES)/minimal $(PACKAGES)/turntable $(PANEL_STREAM) $(HOST_PROGRAM) single ## packages that a seed picks: what each builds, and what it says of itself
@@ -387,16 +385,11 @@ test-dist: ## make dist in two clones of the last commit: the same bytes; what i
 	@python3 tests/dist/dist.py $(BUILD)/dist-test
 
 WEB_TEST := $(BUILD)/web/test
-$(WEB_TEST)/node_modules/installed: tests/web/package.json tests/web/package-lock.json
-	@mkdir -p $(WEB_TEST)
-	$(Q)cp $^ $(WEB_TEST)
-	$(Q)cd $(WEB_TEST) && npm ci --no-audit --no-fund --silent
-	@touch $@
 $(WEB_TEST)/errors: $(call objects,$(BUILD)/host,tests/web/errors.c port/web/measure.c $(JUDGE_SOURCES)) $(HOST_PARTS)
 	@mkdir -p $(@D)
 	$(Q)$(CC) $(HOST_CFLAGS) $^ $(SIMPLIFIER) -lm -o $@
-test-web: $(WEB)/page/data.js $(WEB_TEST)/node_modules/installed $(WEB_TEST)/errors $(HOST_PROGRAM) $(PANEL_STREAM) ## the web page in a browser
-	NODE_MODULES=$(abspath $(WEB_TEST)/node_modules) node tests/web/run.js $(WEB)/page docs/web $(WEB_TEST)
+test-web: $(WEB)/page/data.js $(BUILD)/npm/web/installed $(WEB_TEST)/errors $(HOST_PROGRAM) $(PANEL_STREAM) ## the web page in a browser
+	NODE_MODULES=$(abspath $(BUILD)/npm/web/node_modules) node tests/web/run.js $(WEB)/page docs/web $(WEB_TEST)
 
 # Frama-C proves that arithmetic of src/ cannot overflow within its documented ranges.
 test-prove: ## prove arithmetic free of overflow; build/proof/proofs.md lists what is proven

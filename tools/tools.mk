@@ -4,12 +4,12 @@
 
 # ---- Programs of this machine
 
-SUITE_scenes           := tools/bench/scenes.c examples/bench/bench.c $(addprefix port/host/,cluster.c basics.c)
-SUITE_frame_accuracy   := tools/chart/frame_accuracy.c examples/bench/bench.c $(addprefix port/host/,cluster.c basics.c) $(JUDGE_SOURCES)
+SUITE_scenes           := tools/bench/scenes.c $(BENCH_SCENES)
+SUITE_frame_accuracy   := tools/chart/frame_accuracy.c $(BENCH_SCENES) $(JUDGE_SOURCES)
 SUITE_shading          := tools/chart/shading.c $(JUDGE_SOURCES)
 SUITE_gallery_accuracy := tools/chart/gallery_accuracy.c $(TEST_CONTRACT) $(EXAMPLE_SCENES)
 SUITE_gallery_figures  := tools/gallery/figures.c tests/image/picture.c $(EXAMPLE_SCENES)
-SUITE_cost_pictures    := tools/cost/pictures.c tools/bench/workloads.c tools/bench/boxes.c $(EXAMPLE_SCENES) $(PNG_SOURCES)
+SUITE_cost_pictures    := tools/cost/pictures.c $(WORKLOADS) $(PNG_SOURCES)
 SUITE_page_pictures    := tools/pages/pictures.c $(wildcard examples/compose/*.c examples/lines/*.c examples/moving/*.c) $(PNG_SOURCES)
 HOST_TOOLS             := $(BUILD)/tests/host
 
@@ -148,30 +148,25 @@ $(WINDOW_PICTURE): $(BUILD)/host/tools/pages/window.o $(VIEW_OBJECTS) $(HOST_PAR
 	$(Q)$(CC) $(HOST_CFLAGS) $^ $(SIMPLIFIER) -lm -o $@
 
 .PHONY: cost-pictures page-pictures demo-picture web-picture
+# $(call draw_anew,folder,programs)
+draw_anew = @rm -rf $1 && mkdir -p $1 $(patsubst %,&& % $1,$2)
 cost-pictures: $(HOST_TOOLS)/cost_pictures
-	@mkdir -p docs/cost
-	$< docs/cost
-
+	$(call draw_anew,docs/cost,$^)
 page-pictures: $(HOST_TOOLS)/page_pictures $(WINDOW_PICTURE)
-	@mkdir -p docs/pages
-	$(HOST_TOOLS)/page_pictures docs/pages
-	$(WINDOW_PICTURE) docs/pages
+	$(call draw_anew,docs/pages,$^)
 
 demo-picture: $(HOST_PROGRAM)
 	$(Q)$(HOST_PROGRAM) demo -o docs/demo.png
 
-web-picture: web $(WEB_TEST)/node_modules/installed
-	NODE_MODULES=$(abspath $(WEB_TEST)/node_modules) node tests/web/picture.js docs/web/index.html docs/web.png
+web-picture: web $(BUILD)/npm/web/installed
+	NODE_MODULES=$(abspath $(BUILD)/npm/web/node_modules) node tests/web/picture.js docs/web/index.html docs/web.png
 
 test-cost: $(HOST_TOOLS)/cost_pictures ## the pictures of docs/cost.md against what is drawn
-	@rm -rf $(BUILD)/cost/drawn && mkdir -p $(BUILD)/cost/drawn
-	@$< $(BUILD)/cost/drawn
+	$(call draw_anew,$(BUILD)/cost/drawn,$^)
 	@python3 tools/cost/compare.py $(BUILD)/cost/drawn docs/cost docs/cost.md
 
 test-pages: $(HOST_TOOLS)/page_pictures $(WINDOW_PICTURE) ## the pictures of docs/compose.md, docs/black.md, docs/meshes.md and docs/view.md against what is drawn
-	@rm -rf $(BUILD)/pages/drawn && mkdir -p $(BUILD)/pages/drawn
-	@$(HOST_TOOLS)/page_pictures $(BUILD)/pages/drawn
-	@$(WINDOW_PICTURE) $(BUILD)/pages/drawn
+	$(call draw_anew,$(BUILD)/pages/drawn,$^)
 	@python3 tools/cost/compare.py $(BUILD)/pages/drawn docs/pages docs/compose.md docs/black.md docs/meshes.md docs/view.md
 
 # ---- After a changed pixel, or a changed instruction: everything that a test or lint compares, and all that pages show. In
