@@ -27,7 +27,7 @@ static void limit(int resource, rlim_t most) {
     setrlimit(resource, &both);
 }
 
-/** Becomes the program. What it says on stderr beyond the room of a pipe is lost. */
+/** Runs the program in this process. Text on stderr beyond the size of a pipe is lost. */
 static void become(char *const arguments[], const child_limits *limits, const int output[2], const int errors[2]) {
     const int nothing = open("/dev/null", O_RDONLY);
     const int others[] = {nothing, output[0], output[1], errors[0], errors[1]};

@@ -125,7 +125,7 @@ int command_write(host_bytes *file, const char *path) {
     return ok ? 0 : command_fail(path, &problem);
 }
 
-/** Draws the settings' frame, and prints what it took where the settings say so. @return exit status */
+/** Draws the settings' frame into a file, and prints its statistics for --stats. @return exit status */
 static int draw_still(const command_picture *shown, const host_settings *settings) {
     host_bytes file = {NULL, 0, 0};
     host_problem problem;

@@ -28,14 +28,13 @@ int command_convert(const host_settings *settings);
 /** Draws an example scene into a PNG or an APNG, or lists them. */
 int command_scene(const host_settings *settings);
 
-/** A scene, and which variant of it. */
+/** A scene and the number of one of its variants. */
 typedef struct chosen_scene {
     const struct example_scene *scene;
     uint32_t variant;
 } chosen_scene;
 
-/** Finds the scene and the variant that a name says, the first variant when it says none. @return false with a problem
- */
+/** Finds a scene and its variant by name; the default is the first variant. @return false with a problem */
 bool scene_find(const char *name, chosen_scene *chosen, host_problem *problem);
 
 /** Draws the sheet that shows what the library does. */
@@ -83,7 +82,7 @@ typedef struct command_picture {
 bool command_check_frames(const host_settings *settings, const char *command, host_problem *problem);
 
 /**
- * Draws and writes what the settings say: a picture, or as many frames as they say in one file. Prints what is wrong.
+ * Draws and writes a picture, or the frames of --animate in one file, or prints the problem.
  * @return exit status
  */
 int command_draw(const command_picture *shown, const host_settings *settings);

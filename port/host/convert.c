@@ -20,7 +20,7 @@
 /** Characters that are kept of a material's name. */
 #define NAME_KEPT 40
 
-/** Room for what tells names from those of others: 40 characters of a material's or an object's, and two numbers. */
+/** A part of an identifier: 40 characters of a material's or an object's name, and two numbers. */
 typedef struct header_suffix {
     char text[64];
 } header_suffix;
@@ -37,7 +37,7 @@ typedef struct header_writer {
     char name[CONVERT_NAME_SIZE];
 } header_writer;
 
-/** A character as an identifier may have it: what is no letter, digit or underscore becomes an underscore. */
+/** Replaces a character that is no letter, digit or underscore by an underscore. */
 static char plain_character(char c) {
     const bool plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
     return (char)(plain ? c : '_');
@@ -54,7 +54,7 @@ static bool is_taken(const header_suffix *suffixes, size_t count) {
     return false;
 }
 
-/** Makes a suffix of a name; with a number from 1 on, or from 2 on where an earlier one has that name. */
+/** Makes a suffix of a name, with a number where the name is `counted` or an earlier suffix equals it. */
 static void make_suffix(const char *name, bool counted, header_suffix *suffixes, size_t place) {
     char base[NAME_KEPT + 16];
     size_t length = 0;
@@ -89,7 +89,7 @@ static bool is_same_object(const quantised_mesh *mesh, size_t a, size_t b) {
     return a < mesh->piece_count && b < mesh->piece_count && mesh->objects[a] == mesh->objects[b];
 }
 
-/** Whether the mesh is written as objects with materials, else as meshes alone. */
+/** Returns whether the mesh is written as objects with materials, not as meshes alone. */
 static bool has_objects(const host_materials *materials, const quantised_mesh *mesh) {
     return materials->used_count > 0 || mesh->objects != NULL;
 }
@@ -119,7 +119,7 @@ static header_suffix *find_suffixes(const host_materials *materials, const quant
     return suffixes;
 }
 
-/** The first piece of a material, or how many pieces there are where none has it. */
+/** Returns the first piece of a material, or the number of pieces if no piece has it. */
 static size_t first_piece(const quantised_mesh *mesh, size_t material) {
     size_t piece = 0;
     while (piece < mesh->piece_count && mesh->materials[piece] != material) {
@@ -128,8 +128,7 @@ static size_t first_piece(const quantised_mesh *mesh, size_t material) {
     return piece;
 }
 
-/** A suffix for each material of a piece: its first piece's, or its own where pieces are objects'; the caller frees
- * them. */
+/** Makes a suffix for each material: that of its first piece or, with --objects, its own; the caller frees them. */
 static header_suffix *find_paints(const host_materials *materials, const quantised_mesh *mesh,
                                   const header_suffix *suffixes) {
     header_suffix *paints = memory_new(materials->used_count + 1, sizeof *paints);
@@ -204,8 +203,8 @@ void convert_name(const char *path, char name[CONVERT_NAME_SIZE]) {
 }
 
 /**
- * The given name; else that of the file to write, so that two conversions of a model may be in one program; else, where
- * that is a device, the model's.
+ * Returns --name, or else the name of the written file, so that one program can include two conversions of a model. If
+ * that file is a device, the model's name is used.
  */
 static void choose_name(const host_settings *settings, char name[CONVERT_NAME_SIZE]) {
     if (settings->name != NULL) {
@@ -225,7 +224,7 @@ static void print_in_comment(host_bytes *out, const char *text) {
     }
 }
 
-/** The same as a word of a shell, between quotes where it needs them. */
+/** Prints text of a comment as a word of a shell, with quotes where it needs them. */
 static void print_word(host_bytes *out, const char *word) {
     const bool plain = word[0] != '\0' && word[strcspn(word, " \t()'\"$&;<>|`")] == '\0';
     bytes_print(out, plain ? " " : " \"");
@@ -234,8 +233,8 @@ static void print_word(host_bytes *out, const char *word) {
 }
 
 /**
- * The model without its folder, and the options as they were given. The file's name is among them where it changes the
- * bytes: where the arrays have it, and the model another, and of a pair, as the source names its header.
+ * Prints the model without its folder, and the options as they were given. -o is printed only if it changes the bytes:
+ * if the arrays have the file's name and the model has another one, and for a pair, whose source names its header.
  */
 static void print_command_line(const header_writer *writer) {
     const host_settings *settings = writer->settings;
@@ -501,7 +500,7 @@ static void print_array_head(const header_writer *writer, const char *type, cons
     bytes_print(writer->out, "%s %s%s_%s[%zu]", writer->storage, type, writer->name, what, writer->mesh->piece_count);
 }
 
-/** The middle of the box of a piece's object, as Q16.16. */
+/** Returns the middle of the box of a piece's object, Q16.16. */
 static glint_vector find_centre(const quantised_mesh *mesh, size_t piece) {
     double low[3] = {HUGE_VAL, HUGE_VAL, HUGE_VAL};
     double high[3] = {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
@@ -519,7 +518,7 @@ static glint_vector find_centre(const quantised_mesh *mesh, size_t piece) {
                           number_q16(low[2] / 2 + high[2] / 2)};
 }
 
-/** Prints NAME_object_names and NAME_object_centres, of what NAME_objects has at the same places. */
+/** Prints NAME_object_names and NAME_object_centres, in the order of NAME_objects. */
 static void print_names(const header_writer *writer) {
     host_bytes *out = writer->out;
     const quantised_mesh *mesh = writer->mesh;
@@ -533,7 +532,7 @@ static void print_names(const header_writer *writer) {
         }
         bytes_print(out, "\",\n");
     }
-    bytes_print(out, "};\n\n/* Middles of the objects' boxes, Q16.16: what wheels turn about. */\n");
+    bytes_print(out, "};\n\n/* Middles of the objects' boxes, Q16.16. */\n");
     print_array_head(writer, "glint_vector ", "object_centres");
     bytes_print(out, " = {\n");
     for (size_t i = 0; i < mesh->piece_count; i++) {
@@ -638,7 +637,7 @@ static void print_array(const header_writer *writer, const quantised_mesh *mesh)
     bytes_print(writer->out, "};\n");
 }
 
-/** One mesh as NAME_mesh, several as NAME_meshes; with materials or objects each as NAME_mesh_SUFFIX. */
+/** Prints one mesh as NAME_mesh, several as NAME_meshes; with materials or objects each as NAME_mesh_SUFFIX. */
 static void print_meshes(const header_writer *writer) {
     const quantised_mesh *mesh = writer->mesh;
     const bool apart = has_objects(writer->materials, mesh);
@@ -702,7 +701,7 @@ static bool find_camera(const host_settings *settings, const host_model *model, 
     return true;
 }
 
-/** Prints where a camera stands and what it looks at, as glint_camera_look_at takes them; a point beside the model. */
+/** Prints the arguments of glint_camera_look_at for a camera; it looks at a point near the middle of the model. */
 static void report_camera(const glint_camera *camera, const host_model *model) {
     double eye[3];
     double back[3];
@@ -718,7 +717,7 @@ static void report_camera(const glint_camera *camera, const host_model *model) {
     printf("camera_near %.5f\n", number_from_q16(camera->near_plane));
 }
 
-/** Prints what the mesh takes, and the camera that sees it, unless the mesh itself is printed there. */
+/** Prints the size of the mesh and the camera that sees it, unless the mesh itself is printed there. */
 static void print_report(const host_settings *settings, const host_model *model, const quantised_mesh *mesh,
                          const glint_camera *camera) {
     const report_subject subject = {settings, &model->materials, mesh};
@@ -785,7 +784,7 @@ static bool write_pair(const header_writer *like, const host_model *model) {
     return ok;
 }
 
-/** Writes a model that was loaded, and reports. @return exit status */
+/** Writes a loaded model and prints the report. @return exit status */
 static int convert(const host_settings *settings, const host_model *model, const quantised_mesh *mesh) {
     glint_camera camera;
     host_problem problem;

@@ -82,7 +82,7 @@ static void keep(join_table *table, uint32_t position) {
     *slot = (uint32_t)table->kept_count;
 }
 
-/** Finds for each position the place among those kept of the one that it joins; the caller frees them. */
+/** Finds the kept position that each position joins; the caller frees their numbers. */
 static uint32_t *find_places(join_table *table) {
     const size_t count = table->mesh->position_count;
     uint32_t *places = memory_new(count, sizeof *places);

@@ -49,7 +49,7 @@ static void count_normals(host_model *model) {
     }
 }
 
-/** Has triangles number the parts of the model, by rising object and then material. */
+/** Numbers the parts of the model by object and then material, and stores their numbers in the triangles. */
 static bool number_parts(host_model *model, host_problem *problem) {
     host_mesh *mesh = &model->mesh;
     const size_t objects = model->materials.objects.count + 1;

@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/** What is missing. */
+/** Kinds of notes on names that lead to nothing. */
 enum { KIND_OUTSIDE = TEXT_KINDS, KIND_UNREAD, KIND_MANY, KIND_UNKNOWN };
 
 static const char *const note_texts[] = {
@@ -41,7 +41,7 @@ static bool is_inside(const char *path) {
     return inside;
 }
 
-/** Reads a file of the model's folder. @return 0, or what is wrong */
+/** Reads a file of the model's folder. @return 0, or the kind of a note */
 static int read_library(library_loader *loader, text_token name) {
     char *path = memory_new(loader->folder_size + name.length + 1, 1);
     memcpy(path, loader->folder, loader->folder_size);
@@ -87,7 +87,7 @@ static void load_libraries(library_loader *loader, const obj_name *named) {
 
 /* ---- Names ------------------------------------------------------------------------------------------------------ */
 
-/** The place of the material of a name, or the library's count. */
+/** Returns the index of the material of a name, or the library's count. */
 static size_t find_material(const mtl_library *library, text_token name) {
     size_t place = 0;
     while (place < library->count && !text_token_is(name, library->list[place].name)) {

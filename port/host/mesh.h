@@ -130,8 +130,7 @@ void mesh_make_facet_normals(host_mesh *mesh);
  */
 size_t mesh_join(host_mesh *mesh, double distance);
 
-/** Numbers positions so that those with equal coordinates, and no others, have the same number; the caller frees them.
- */
+/** Gives equal numbers to positions with equal coordinates; the caller frees the numbers. */
 uint32_t *mesh_weld(const host_mesh *mesh);
 
 /** Looks at how the mesh is wound. */

@@ -80,7 +80,7 @@ text_note *text_find_note(text_notes *notes, int kind, text_token word);
 /** Counts what is not followed; words beyond the first few are counted together. */
 void text_note_add(text_notes *notes, int kind, text_token word, size_t line);
 
-/** Adds a warning for each note that there is room for: its word, the text of its kind, and how often it was seen. */
+/** Adds a warning for each note, as far as there is room: its word, the text of its kind, and its count. */
 void text_notes_write(const text_notes *notes, const char *const texts[], host_warnings *warnings);
 
 /*
@@ -118,7 +118,7 @@ void text_notes_write(const text_notes *notes, const char *const texts[], host_w
 /** Most different files of materials. */
 #define OBJ_LIBRARIES_MAX 64
 
-/** Most different objects that are told apart. */
+/** Limit on objects that are kept apart. */
 #define OBJ_OBJECTS_MAX 1024
 
 /** A name in the file, and its first line. */
@@ -155,7 +155,7 @@ typedef struct obj_materials {
 bool obj_read(const char *text, size_t length, host_mesh *mesh, obj_materials *materials, host_warnings *warnings,
               host_problem *problem);
 
-/** Frees what names own and makes them empty. */
+/** Frees a list of names and makes it empty. */
 void obj_names_free(obj_names *names);
 
 /** Frees what obj_materials owns and makes it empty. */

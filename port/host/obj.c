@@ -34,7 +34,7 @@ typedef struct obj_reader {
     size_t bare_line, bare_count; /* the first position without a colour; how many */
     mesh_corner *face;
     size_t face_count, face_capacity;
-    text_token object, group; /* the names of o and g that hold */
+    text_token object, group; /* current names of `o` and `g` */
     text_notes notes;
     host_problem *problem;
 } obj_reader;
@@ -321,7 +321,7 @@ static bool read_library(obj_reader *reader) {
     return true;
 }
 
-/** Faces from here on are of the object and the group that hold: both names are one. */
+/** Starts the object that the names of the current `o` and `g` make together. */
 static bool choose_object(obj_reader *reader) {
     const text_token o = reader->object;
     const text_token g = reader->group;

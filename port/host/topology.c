@@ -64,7 +64,7 @@ mesh_half_edge *mesh_half_edges(const host_mesh *mesh, const uint32_t *points) {
     return edges;
 }
 
-/** The end of the half edges of the edge that begins at `first`. */
+/** Returns the end of the half edges that share the edge of the one at `first`. */
 static size_t edge_end(const mesh_half_edge *edges, size_t first, size_t count) {
     size_t end = first + 1;
     while (end < count && edges[end].low == edges[first].low && edges[end].high == edges[first].high) {

@@ -40,7 +40,7 @@ glint_q16 number_q16(double value);
 /** Q16.16 as a double: exact. */
 double number_from_q16(glint_q16 value);
 
-/** The same of a vector. */
+/** Converts a vector of Q16.16 to doubles: exact. */
 void number_from_vector(glint_vector vector, double values[3]);
 
 /* ---- The word that was meant ---- */

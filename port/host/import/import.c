@@ -131,7 +131,7 @@ static void print_mesh(printer *out, const struct aiMesh *mesh, const placement 
     out->normal_count += has_normals ? mesh->mNumVertices : 0;
 }
 
-/** Prints a node's meshes, as an object of its name. */
+/** Prints a node's meshes as an object with the node's name. */
 static void print_meshes(printer *out, const struct aiNode *node, const placement *place) {
     struct aiString name = node->mName;
     paint_plain(&name);

@@ -23,7 +23,7 @@ int folder_open(struct aiFileIO *files, const char *model);
  */
 void paint_print(const struct aiScene *scene);
 
-/** Makes a name one of OBJ and MTL files: no blank, comment or continued line. */
+/** Replaces characters that a name in OBJ and MTL files cannot have. */
 void paint_plain(struct aiString *name);
 
 /** Whether a material is that of what has none. */

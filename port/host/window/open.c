@@ -39,7 +39,7 @@ static void forget(window_state *state) {
     state->runs = false;
 }
 
-/** What is shown is another by its name, which may be the old one's. */
+/** Replaces the shown model or scene by one of that name, which may be the old name itself. */
 static void begin(window_state *state, const char *name) {
     const window_changes none = {.zoom = 1};
     char *kept = copy_text(name);
