@@ -139,7 +139,7 @@ PROGRAM_faults-pico        := tests/board/faults.c tests/board/faults_pico.c $(T
 PROGRAM_power_cut := tests/board/power_cut_board.c $(TURNTABLE)
 PROGRAM_endurance := tests/endurance/endurance_board.c tests/endurance/endurance.c $(EXAMPLE_SCENES)
 STACK_endurance   := 5120
-METHODS           := $(addprefix tests/methods/,methods.c power.c normalise.c)
+METHODS           := $(addprefix tests/unit/methods/,methods.c power.c normalise.c)
 PROGRAM_methods   := tools/bench/methods.c $(METHODS)
 
 # These measure, and are not for a board to run.

@@ -119,8 +119,9 @@ SUITE_fuzz_render       := tests/fuzz/fuzz_render.c $(FUZZ_SCENES)
 SUITE_fuzz_differential := tests/fuzz/fuzz_differential.c $(FUZZ_SCENES) $(TEST_CONTRACT)
 SUITE_threads := $(TEST_HARNESS) tests/threads/threads.c $(TEST_SCENES)
 SUITE_planted := $(TEST_HARNESS) tests/threads/planted.c $(TEST_SCENES)
-SUITE_domains := tests/domain/domains.c tests/unit/domains.c tests/unit/fixture.c tests/harness.c
-SUITE_methods := tests/methods/test.c tests/methods/judge.c $(METHODS) $(TEST_HARNESS)
+SUITE_numbers := tests/unit/arithmetic/numbers.c $(TEST_HARNESS)
+SUITE_domains := tests/unit/arithmetic/domains.c tests/unit/domains.c tests/unit/fixture.c tests/harness.c
+SUITE_methods := tests/unit/methods/test.c tests/unit/methods/judge.c $(METHODS) $(TEST_HARNESS)
 SUITE_float   := $(TEST_HARNESS) tests/float/pictures.c tests/reference/reference.c tests/reference/lighting.c $(FLOAT_RENDERER)
 SUITE_workloads := $(TEST_HARNESS) tests/image/workloads.c tools/bench/workloads.c tools/bench/boxes.c $(EXAMPLE_SCENES) $(TEST_CONTRACT)
 SUITE_frames  := tests/board/identity_host.c $(IDENTITY_FRAMES)
@@ -135,7 +136,7 @@ SUITE_show             := tests/board/show_host.c tests/image/picture.c $(TURNTA
 SUITE_print_torus      := tests/image/print_torus.c examples/bench/bench.c
 SUITE_print_checksums  := tests/image/print_checksums.c tests/harness.c $(addprefix tests/unit/,checksummed.c domains.c fixture.c)
 SUITE_print_pixels     := tests/image/print_pixels.c $(PIXEL_SUMS)
-SUITE_methods_accuracy := tests/methods/accuracy.c tests/methods/judge.c $(METHODS)
+SUITE_methods_accuracy := tests/unit/methods/accuracy.c tests/unit/methods/judge.c $(METHODS)
 
 $(BUILD)/tests/%: $$(call objects,$(BUILD)/$$(*D),$$(call suite_sources,$$(*F))) $(BUILD)/$$(*D)/libglint.a
 	@mkdir -p $(@D)
@@ -145,7 +146,7 @@ $(BUILD)/tests/%: $$(call objects,$(BUILD)/$$(*D),$$(call suite_sources,$$(*F)))
 SANITIZE_ALL ?=
 $(call objects,$(BUILD)/sanitize,$(TEST_JUDGE)): TEST_CFLAGS += $(if $(SANITIZE_ALL),,-O2 -fno-sanitize=all)
 # The judge's doubles are the same from every compiler; the float renderer is what a compiler may make of floats.
-$(BUILD)/host/tests/methods/%.o: TEST_CFLAGS += -ffp-contract=off
+$(BUILD)/host/tests/unit/methods/%.o: TEST_CFLAGS += -ffp-contract=off
 $(BUILD)/host/tools/bench/float/%.o: TEST_CFLAGS += -ffast-math -ffp-contract=fast
 $(BUILD)/host/tools/bench/workloads.o: $(BUILD)/bench/bench_scenes.h
 

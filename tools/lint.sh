@@ -139,7 +139,15 @@ readme() {
             <(awk '/@code$/ { on = 1; next } /@endcode$/ { exit } on' src/glint.h | sed -E 's/^ \* ?//')
 }
 
+# Only tests of arithmetic, proofs and what tells the judge where vertices were snapped look into the library.
+interface() {
+    local inner
+    inner=$(printf '%s|' src/*/ | sed 's#src/##g; s#|$##')
+    ! files 'tests/*.[chS]' 'tests/*.cpp' ':!tests/unit' ':!tests/proof' ':!tests/image/library_geometry.c' | xargs grep -nE "include \"(.*/)?($inner)"
+}
+
 check format format
+check interface interface
 check readme readme
 check licence licence
 check reuse reuse_all

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file library_geometry.h
- * What the library made of a scene's vertices: the one place where image tests look inside it.
+ * What the library made of a scene's vertices: the one place where image tests look inside it. The reference covers
+ * the same pixels only when its corners lie on the same sixteenths of a pixel, which nothing public tells.
  */
 #ifndef GLINT_LIBRARY_GEOMETRY_H
 #define GLINT_LIBRARY_GEOMETRY_H

@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Firmware that counts the instructions of every method in tests/methods, over inputs such as a picture has many of.
+ * Firmware that counts the instructions of every method in tests/unit/methods, over inputs such as a picture has many of.
  * The loop over them, with its loads and stores, is counted by itself and taken off. It writes a line for each,
  *     power,rational,cos,INSTRUCTIONS,call,BYTES
  * instructions in hundredths, for one call, pixel or vertex; bytes of tables.
  */
-#include "methods/methods.h"
+#include "unit/methods/methods.h"
 
 #include "counter.h"
 

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
  * Suite: the library's arithmetic of several arguments against libm in long double, at the largest errors its contracts
- * state; tests/domain has the functions of one.
+ * state; domains.c has the functions of one.
  */
 #include "glint.h"
 #include "harness.h"
