@@ -5,6 +5,7 @@ import os
 import re
 import subprocess
 import tempfile
+import traceback
 
 import png
 
@@ -32,8 +33,16 @@ def torus_text(around, along):
 class Host:
     def __init__(self, program):
         self.program = os.path.abspath(program)
-        self.folder = tempfile.TemporaryDirectory(prefix="glint-host-")
+        self.folder = None
         self.passed = self.failed = 0
+
+    def test(self, name, function):
+        """Runs a test in a folder of its own."""
+        with tempfile.TemporaryDirectory(prefix="glint-host-") as self.folder:
+            try:
+                function(self)
+            except Exception:  # pylint: disable=broad-except # one broken test must not hide the others
+                self.check(name, False, traceback.format_exc())
 
     # ---- What is checked
 
@@ -49,7 +58,7 @@ class Host:
     # ---- What is run
 
     def path(self, name):
-        return os.path.join(self.folder.name, name)
+        return os.path.join(self.folder, name)
 
     def write(self, name, content):
         data = content if isinstance(content, bytes) else content.encode()
@@ -62,11 +71,11 @@ class Host:
             return file.read()
 
     def files(self):
-        return sorted(os.listdir(self.folder.name))
+        return sorted(os.listdir(self.folder))
 
     def run(self, *arguments, env=None, before=None):
         """Runs the program; `before` is called in its process, to limit what it may do."""
-        return subprocess.run([self.program, *arguments], cwd=self.folder.name, capture_output=True, text=True,
+        return subprocess.run([self.program, *arguments], cwd=self.folder, capture_output=True, text=True,
                               timeout=60, check=False, env={**os.environ, **(env or {})}, preexec_fn=before)
 
     def render_bytes(self, *arguments, to="out.png"):
@@ -103,7 +112,7 @@ class Preloaded:
 
     def __init__(self, host, text):
         host.write("preloaded.c", text)
-        self.library = os.path.join(host.folder.name + "-preloaded.so")
+        self.library = os.path.join(host.folder + "-preloaded.so")
         subprocess.run(["cc", "-shared", "-fPIC", "-o", self.library, host.path("preloaded.c")], check=True)
         os.remove(host.path("preloaded.c"))
 

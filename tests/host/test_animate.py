@@ -42,6 +42,7 @@ def test_turn(host):
 def test_place_of_a_turn(host):
     """A model turns on the spot, wherever that is, and stays in the picture all the way."""
     far = "".join(f"v {7 + float(x)} {y} {float(z) - 9}\n" for x, y, z in (line.split()[1:] for line in WEDGE.splitlines() if line[0] == "v"))
+    host.write("wedge.obj", WEDGE)
     host.write("far.obj", far + "".join(line + "\n" for line in WEDGE.splitlines() if line[0] == "f"))
     for options in ([], ["--up", "1,1,0"], ["--fov", "100", "--size", "48x64"], ["--animate", "5"]):
         arguments = [*SMALL, "--background", "0,0,1", "--animate", "12", *options]
@@ -54,8 +55,6 @@ def test_place_of_a_turn(host):
         width, height = len(movie[0][0]), len(movie[0])
         edges = [min(b[0] for b in boxes), min(b[1] for b in boxes), width - 1 - max(b[2] for b in boxes), height - 1 - max(b[3] for b in boxes)]
         host.check(f"{options}: in the picture", 1 <= min(edges) <= 6, str(edges))
-    for name in ("far.obj", "wedge.obj"):
-        os.remove(host.path(name))
 
 
 def test_refused(host):
@@ -70,4 +69,3 @@ def test_the_model_is_kept(host):
     host.write("m.obj", WEDGE)
     host.refuses("the animation is the model", ["render", "m.obj", "--animate", "3", "-o", "m.obj"], r"m\.obj:0: cannot be written: it is the model")
     host.equal("it stays", host.read("m.obj"), WEDGE.encode())
-    os.remove(host.path("m.obj"))

@@ -160,6 +160,7 @@ def test_physical_materials(host):
         host.check("what it emits", near(colour(text, "paint", "ambient"), [.1 * kd[0], .1 * kd[1] + .25, .1 * kd[2]]))
     host.write("unlit.gltf", json.dumps({**gltf(extensions={"KHR_materials_unlit": {}}), "extensionsUsed": ["KHR_materials_unlit"]}))
     host.check("unlit", "&glint_model_unlit," in convert(host, "unlit.gltf"))
+    host.write("t.dae", dae())
     text = convert(host, "t.dae", "--name", "t")
     host.check("Phong's kind as it stands", near(colour(text, "green", "diffuse"), [.1, .6, .2]) and
                near(colour(text, "green", "specular"), [.3] * 3) and near(colour(text, "green", "shininess"), [20]))
@@ -187,6 +188,7 @@ def test_what_is_not_followed(host):
 
 
 def test_colours(host):
+    host.write("colours.ply", ply())
     text = convert(host, "colours.ply", "--name", "t", "--no-clusters")
     got = re.search(r"t_colours\[4\]\[3\] = \{(.*?)\n\};", text, re.DOTALL).group(1).replace(" ", "").strip()
     host.equal("colours of PLY", got, "{255,0,0},{255,51,0},{255,102,0},{255,153,0},")

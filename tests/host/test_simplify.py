@@ -120,8 +120,7 @@ def test_too_few(host):
                (run.returncode == 2 or int(re.search(r"\ntriangles (\d+)", run.stdout).group(1)) <= 3), run.stderr)
 
 
-def test_without_meshoptimizer(host):
-    bare = Host(os.path.join(os.path.dirname(host.program), "glint-without-scenes"))
+def refuse_to_simplify(bare):
     bare.write("torus.obj", torus_text(8, 8))
     bare.refuses("it is said what is missing", ["info", "torus.obj", "--simplify", "100"],
                  r"torus\.obj:0: --simplify: install libmeshoptimizer-dev, and run make host again")
@@ -129,6 +128,11 @@ def test_without_meshoptimizer(host):
     bare.equal("not where nothing is to be done", run.returncode, 0)
     libraries = subprocess.run(["ldd", bare.program], capture_output=True, text=True, check=True).stdout
     bare.check("it takes no library of others", not re.search("meshopt|assimp|stdc", libraries), libraries)
+
+
+def test_without_meshoptimizer(host):
+    bare = Host(os.path.join(os.path.dirname(host.program), "glint-without-scenes"))
+    bare.test("without meshoptimizer", refuse_to_simplify)
     host.passed += bare.passed
     host.failed += bare.failed
 

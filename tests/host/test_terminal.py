@@ -29,7 +29,7 @@ def complete(host, *words):
     """What bash offers for the last word."""
     script = ('source "$1"; shift; COMP_WORDS=("$@"); COMP_CWORD=$(($# - 1)); _glint; printf "%s\\n" "${COMPREPLY[@]}"')
     run = subprocess.run(["bash", "-c", script, "bash", os.path.join(ROOT, "port/host/completion.bash"), host.program, *words],
-                         capture_output=True, text=True, cwd=host.folder.name, check=False)
+                         capture_output=True, text=True, cwd=host.folder, check=False)
     if run.returncode != 0 or run.stderr:
         raise AssertionError(run.stderr)
     return run.stdout.split()
@@ -49,7 +49,6 @@ def test_completion(host):
     for command in ("render", "scene"):
         host.equal(f"files for {command} -o", complete(host, command, "-o", "a-"), ["a-model.obj"])
     host.check("shapes", "torus:" in complete(host, "info", "tor"))
-    os.remove(host.path("a-model.obj"))
 
 
 def test_manual(host):

@@ -42,7 +42,6 @@ def test_report(host):
         host.equal(f"convert of {name} warns", (run.returncode, run.stderr), (0, warning))
         run = host.run("convert", name + ".obj", "--repair", "-o", "x.h")
         host.equal(f"repaired {name} needs no warning", (run.returncode, run.stderr), (0, ""))
-    os.remove(host.path("x.h"))
 
 
 def test_repair(host):
@@ -109,24 +108,6 @@ def test_given_normals_follow_the_repair(host):
     host.equal("right normals on turned faces stay", host.render_bytes("faces.obj", *CUBE_VIEW, "--repair"), wanted)
     host.write("inward.obj", text(-1, range(6)))
     host.equal("normals that point inwards are turned too", host.render_bytes("inward.obj", *CUBE_VIEW, "--repair"), wanted)
-
-
-def test_weights(host):
-    """A corner of a cube whose top is cut at it, and whose sides are not: by angle its normal stays (1, 1, 1)."""
-    text = "v 1 1 -1\nv 1 -1 1\nv -1 1 1\nv 1 1 1\nv -1 -1 1\n"  # the corner is the fourth
-    text += "f 4 2 1\nf 4 1 3\n"  # two sides, a right angle each
-    host.write("corner.obj", text + "f 4 5 2\n" + "f 4 3 5\n")  # the top in two halves, 45 degrees each
-
-    def normal(*options):
-        positions, normals, *_ = mesh(convert(host, "corner.obj", *options), "corner")
-        return normals[[tuple(round(v) for v in p) for p in positions].index((1, 1, 1))]
-
-    by_area, by_angle = normal(), normal("--weights", "angle")
-    host.equal("area is the default", normal("--weights", "area"), by_area)
-    host.check("by angle all three sides weigh the same", max(by_angle) - min(by_angle) < 1e-3, str(by_angle))
-    host.check("by area the whole top weighs double", abs(by_area[2] - 2 * by_area[0]) < 1e-3 and
-               abs(by_area[0] - by_area[1]) < 1e-3, str(by_area))
-    host.check("--weights goes with --crease", normal("--weights", "angle", "--crease", "180") == by_angle)
 
 
 def test_facets(host):
