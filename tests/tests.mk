@@ -127,7 +127,6 @@ SUITE_workloads := $(TEST_HARNESS) tests/image/workloads.c tools/bench/workloads
 SUITE_frames  := tests/board/identity_host.c $(IDENTITY_FRAMES)
 SUITE_levels  := tests/levels/draw.c tests/image/picture.c $(addprefix tests/stability/,random_scene.c large_scene.c weights.c)
 SUITE_endurance     := tests/endurance/endurance_host.c tests/endurance/endurance.c $(EXAMPLE_SCENES)
-SUITE_bus           := $(TEST_HARNESS) tests/board/bus.c $(wildcard port/panel/*.c)
 # These are other programs of this machine.
 SUITE_panel_stream     := tests/panel/panel_stream.c $(PANEL_MODEL)
 SUITE_panel_host       := tests/board/panel_host.c tests/board/frames.c examples/firmware/shown.c $(TURNTABLE) $(EXAMPLE_SCENES)
@@ -339,7 +338,7 @@ $(BUILD)/tests/host/stm32_slow: tests/board/stm32_slow.c port/stm32/spi.c $(TEST
 	@mkdir -p $(@D)
 	$(Q)$(CC) $(HOST_CFLAGS) -Itests/board/slow -Iport -Itests $(filter %.c,$^) -o $@
 
-test-panel-bus: $(addprefix $(BUILD)/tests/host/,bus stm32_slow) ## what the panel driver sends, and what it does when the bus fails
+test-panel-bus: $(BUILD)/tests/host/stm32_slow ## a port whose bus is slow, or stands still
 	$(call run_suites,$^)
 
 # ---- Adapters of examples/adapters/ against declarations of what they serve, and doubles that keep what arrives there

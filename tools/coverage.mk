@@ -9,7 +9,7 @@ COVERAGE_BUILDS       := host small split divide zeros mixed
 COVERAGE_FLAGS_mixed  := $$(if $$(filter src/pixel/%,$$<),-Os)
 COVERAGE_SUITES_host  := $(TEST_SUITES) old limits stability_regions stability_kept threads
 COVERAGE_SUITES_split := unit
-COVERAGE_SUITES_panel := $(PANEL_SUITES) bus
+COVERAGE_SUITES_panel := $(PANEL_SUITES)
 COVERAGE_FUZZ_host    := fuzz_render fuzz_differential
 coverage_suites = $(or $(COVERAGE_SUITES_$1),unit stability_regions stability_kept coverage lines)
 
@@ -61,7 +61,7 @@ coverage_judge = @tools/coverage/report.sh $(COVERAGE)/report/$1 $1 $2 "$3" $4
 .PHONY: coverage coverage-library coverage-programs $(COVERAGE_LIBRARY)
 coverage-library: $(COVERAGE_LIBRARY) ## what tests reach: lines, branches and MC/DC of the library and panel drivers; build/coverage/report/ shows what they do not
 	$(call coverage_judge,src,95 90 80,$(COVERAGE_BUILDS:%=$(COVERAGE)/%),$(COVERAGE_BUILDS:%=$(COVERAGE)/%/unit))
-	$(call coverage_judge,port/panel,100 100 100,$(COVERAGE)/panel,$(COVERAGE)/panel/bus)
+	$(call coverage_judge,port/panel,100 100 100,$(COVERAGE)/panel,$(COVERAGE)/panel/panel_pictures)
 
 coverage: coverage-library coverage-programs ## the same, and lines of the host programs
 	$(call coverage_judge,port/host,98 0 0,$(COVERAGE_PROGRAMS),$(COVERAGE_HOST))

@@ -328,6 +328,7 @@ static void what_a_panel_cannot_is_refused(void) {
         CHECK_EQUAL(start_status(panel, 0, &glint_format_grey8, 0, 1), GLINT_ERROR_FORMAT);
         CHECK_EQUAL(start_status(panel, 0, &glint_format_rgb565, 1, 1), has_16 ? 0 : GLINT_ERROR_FORMAT);
         CHECK_EQUAL(start_status(panel, 0, &glint_format_rgb565, 1, 0), GLINT_ERROR_FORMAT);
+        CHECK_EQUAL(start_status(panel, 0, &glint_format_rgb888, 1, 1), GLINT_ERROR_FORMAT);
     }
 }
 
@@ -364,6 +365,61 @@ static void split_bytes_are_refused(void) {
     wire_close(&line);
 }
 
+static void what_is_not_on_the_screen_is_refused(void) {
+    static const int rectangles[][4] = {{-2, 0, 4, 4},  {0, -1, 4, 4}, {126, 0, 4, 4},        {0, 61, 4, 4},
+                                        {1, 0, 4, 4},   {0, 0, 3, 4},  {0, 0, 0, 4},          {0, 0, 4, 0},
+                                        {0, 0, 130, 4}, {0, 0, 4, 65}, {2147483646, 0, 4, 4}, {0, 2147483647, 4, 4}};
+    static const uint8_t pixels[4];
+    wire line;
+    const glint_panel driver = {panels_find("ssd0323")->type, &line.bus};
+
+    wire_open(&line, "ssd0323", 0, 1);
+    for (unsigned i = 0; i < TEST_COUNT(rectangles); i++) {
+        const int *r = rectangles[i];
+        CHECK_EQUAL(glint_panel_begin(&driver, r[0], r[1], r[2], r[3], pixels, 1), GLINT_ERROR_REGION);
+    }
+    CHECK_EQUAL(panel_model_bytes(line.model), 0);
+    wire_close(&line);
+}
+
+/* A glass of odd width, and a memory that ends with it or not. */
+static void odd_glasses_take_what_memory_has(void) {
+    static const uint8_t pixels[4];
+    glint_panel_type type = *panels_find("ssd0323")->type;
+    wire line;
+    const glint_panel odd = {&type, &line.bus};
+
+    type.width = 127;
+    wire_open(&line, "ssd0323", 0, 1);
+    CHECK_EQUAL(glint_panel_start(&odd), GLINT_OK);
+    CHECK_EQUAL(glint_panel_begin(&odd, 120, 0, 7, 1, pixels, sizeof pixels), GLINT_OK);
+    CHECK_EQUAL(glint_panel_wait(&odd), GLINT_OK);
+    type.memory_width = 127;
+    CHECK_EQUAL(glint_panel_begin(&odd, 120, 0, 7, 1, pixels, sizeof pixels), GLINT_ERROR_REGION);
+    CHECK_EQUAL(glint_panel_begin(&odd, 120, 0, 6, 1, pixels, sizeof pixels), GLINT_OK);
+    CHECK_EQUAL(glint_panel_wait(&odd), GLINT_OK);
+    CHECK_EQUAL(panel_model_all_complaints(line.model), 0);
+    wire_close(&line);
+}
+
+/* On a glass whose colours lie the other way, red arrives where blue does. */
+static void colours_lie_as_the_glass_has_them(void) {
+    static const uint8_t red[2] = {0xf8, 0x00};
+    glint_panel_type type = *panels_find("ssd1351")->type;
+    wire line;
+    const glint_panel driver = {&type, &line.bus};
+    uint8_t rgb[3];
+
+    type.glass ^= GLINT_PANEL_BGR;
+    wire_open(&line, "ssd1351", 0, 1);
+    CHECK_EQUAL(glint_panel_start(&driver), GLINT_OK);
+    CHECK_EQUAL(glint_panel_begin(&driver, 0, 0, 1, 1, red, sizeof red), GLINT_OK);
+    CHECK_EQUAL(glint_panel_wait(&driver), GLINT_OK);
+    panel_model_pixel(line.model, 0, 0, rgb);
+    CHECK(rgb[0] == 0 && rgb[1] == 0 && rgb[2] == 255);
+    wire_close(&line);
+}
+
 /* Of pixels of 12 bits, two are whole bytes, wherever they begin. */
 static void pairs_of_pixels_are_taken(void) {
     static const uint8_t pixels[3];
@@ -389,6 +445,9 @@ int test_main(test_writer write) {
         TEST_CASE(what_a_panel_cannot_is_refused),
         TEST_CASE(pixels_without_a_name_are_refused),
         TEST_CASE(split_bytes_are_refused),
+        TEST_CASE(what_is_not_on_the_screen_is_refused),
+        TEST_CASE(odd_glasses_take_what_memory_has),
+        TEST_CASE(colours_lie_as_the_glass_has_them),
         TEST_CASE(pairs_of_pixels_are_taken),
     };
 
