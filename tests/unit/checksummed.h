@@ -10,6 +10,10 @@
 
 #include "fixture.h"
 
+/** Pictures, and how many of them a checksum stands for. */
+#define CHECKSUMMED_PICTURES 48u
+#define CHECKSUMMED_GROUP 4u
+
 extern const unsigned checksummed_count;
 
 const char *checksummed_name(unsigned index);
@@ -17,7 +21,7 @@ const char *checksummed_name(unsigned index);
 /** Draws or computes an entry. @return its checksum. */
 uint32_t checksummed_compute(unsigned index);
 
-/** Sets the fixture up to draw an entry. @return 0 when the entry is no image. */
-int checksummed_set_up(unsigned index, fixture *f);
+/** Sets the fixture up to draw a picture. */
+void checksummed_set_up(uint32_t number, fixture *f);
 
 #endif

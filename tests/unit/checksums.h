@@ -10,53 +10,18 @@
 #include <stdint.h>
 
 static const uint32_t expected_checksums[] = {
-    0x1973b73eu, /* local_viewer */
-    0x1a4d0cfeu, /* infinite_viewer */
-    0xd78a7ae7u, /* exponent_half */
-    0xdc0f8d1eu, /* exponent_two */
-    0xe9d47e44u, /* exponent_1024 */
-    0x5b6d73f0u, /* exponents_beyond */
-    0x17a1139cu, /* curved */
-    0xbff4ac0au, /* curved_infinite */
-    0x294bd448u, /* curved_exponent_8192 */
-    0x8323b46au, /* curved_exponent_1024 */
-    0xbd1c1d72u, /* curved_gently */
-    0x9fdba25du, /* curved_gently_infinite */
-    0x8448c7cdu, /* curved_gently_exponent_256 */
-    0xb7db161cu, /* eight_lights */
-    0xf070027bu, /* eight_lights_infinite */
-    0x1bf103c9u, /* saturated */
-    0x087c66a6u, /* near_plane */
-    0xda8a09c5u, /* floor_to_horizon */
-    0x47143e8bu, /* large_highlight */
-    0x2071d918u, /* guard_band */
-    0xf879c326u, /* mirrored_double_sided */
-    0x17c15145u, /* squashed */
-    0x0e1454d0u, /* interlocked */
-    0xe819959du, /* turned_camera */
-    0x77051dc5u, /* no_objects */
-    0xfe056f80u, /* big_endian */
-    0xf3c28469u, /* rgb888_odd_size */
-    0x8aaed4cau, /* grey8_odd_size */
-    0x2df03fcfu, /* grey4_odd_size */
-    0x4ef7a4a6u, /* rgb444_odd_size */
-    0xe5654271u, /* tall_and_thin */
-    0x418a6b15u, /* one_pixel */
-    0x477ee808u, /* point_light */
-    0xc89cdb20u, /* spot_phong */
-    0xa6ab3d53u, /* lambert_infinite */
-    0x3338b425u, /* phong_ungated_max */
-    0x586ebd2au, /* per_vertex */
-    0x57814f13u, /* per_vertex_clipped */
-    0xeb3475abu, /* per_facet */
-    0x2b3439b3u, /* per_facet_clipped */
-    0x1475605du, /* mesh_colours */
-    0x338e8736u, /* mesh_colours565_per_vertex */
-    0xc000fff1u, /* mesh_colours_unlit_facets */
-    0xa069f5a8u, /* rgb565_dithered */
-    0x7f400056u, /* grey4_dithered_odd_size */
-    0x69c1cbfdu, /* rgb444_dithered */
-    0xb68aaf6au, /* mono_dithered_odd_size */
+    0x78500876u, /* pictures */
+    0x20b10900u, /* pictures */
+    0x1b9f7ab4u, /* pictures */
+    0x8d4cafc2u, /* pictures */
+    0xeac00b98u, /* pictures */
+    0xd8d46c89u, /* pictures */
+    0xe185ba40u, /* pictures */
+    0x8dea18b3u, /* pictures */
+    0xb9cc7114u, /* pictures */
+    0xe07029a3u, /* pictures */
+    0x82b74355u, /* pictures */
+    0xf306ffb2u, /* pictures */
     0x969b287eu, /* elementary_functions */
     0x79785263u, /* unit_vectors */
     0xb11aa47bu, /* poses */

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file domains.h
- * The library's functions of one argument, each with its whole domain, as integers in and out: tests/unit/arithmetic compares
- * them with double precision, and the unit tests compare their bits on every core.
+ * The library's functions of one argument, each with its whole domain, as integers in and out: tests/unit/arithmetic
+ * compares them with double precision, and the unit tests compare their bits on every core.
  */
 #ifndef GLINT_UNIT_DOMAINS_H
 #define GLINT_UNIT_DOMAINS_H

@@ -107,55 +107,7 @@ void arena_used_is_what_was_written(void) {
     expect_used(f, 1);
 }
 
-/* ---- Two renderers ------------------------------------------------------------------------------------------- */
-
-typedef struct half {
-    glint_frame frame;
-    glint_config config;
-    glint_scene scene;
-    glint_workspace workspace;
-    uint32_t tile, checksum;
-    int status;
-} half;
-
-/* Half of the arena each: a workspace at its end, the frame's memory before. */
-static void half_begin(half *h, const fixture *f, int which) {
-    const size_t size = FIXTURE_ARENA_BYTES / 2;
-    uint8_t *memory = fixture_arena() + (size_t)which * size;
-    h->config = f->config;
-    h->config.width = h->config.height = 16;
-    h->config.tile_width = h->config.tile_height = 8;
-    h->scene = f->scene;
-    h->scene.viewer = which ? GLINT_VIEWER_LOCAL : GLINT_VIEWER_INFINITE;
-    size_t reserved = (glint_workspace_size(&h->config) + 15) / 8 * 8;
-    uint8_t *aligned = memory + (0u - (unsigned)((uintptr_t)memory & 7u)) % 8u;
-    glint_workspace_init(&h->workspace, &h->config, aligned);
-    h->config.arena = aligned + reserved - 8;
-    h->config.arena_size = size - reserved;
-    h->checksum = FIXTURE_CHECKSUM_START;
-    h->status = glint_frame_begin(&h->frame, &h->config, &h->scene);
-    CHECK_EQUAL(h->status, GLINT_OK);
-    h->tile = h->frame.tile_end;
-    h->status = h->status == GLINT_OK ? 1 : h->status;
-}
-
-/* Draws one tile, or prepares a pass. */
-static void half_step(half *h) {
-    if (h->tile == h->frame.tile_end) {
-        h->status = glint_frame_next_pass(&h->frame);
-        h->tile = h->frame.tile_first;
-        return;
-    }
-    if (glint_render_tile(&h->frame, &h->workspace, h->tile)) {
-        int x, y, width, height;
-        glint_tile_rectangle(&h->frame, h->tile, &x, &y, &width, &height);
-        for (int row = 0; row < height; row++)
-            h->checksum = fixture_checksum_add(h->checksum,
-                                               (const uint8_t *)h->workspace.pixels + (size_t)row * h->workspace.stride,
-                                               glint_row_bytes(h->config.format, (uint32_t)width));
-    }
-    h->tile++;
-}
+/* ---- Clusters ------------------------------------------------------------------------------------------------- */
 
 /* A torus without its first triangles, or without its last. */
 static uint32_t checksum_of_part(uint32_t first, uint32_t count) {
@@ -237,68 +189,6 @@ void clusters_that_face_away_are_dropped(void) {
     CHECK(fixture_need(f).one_pass < with_all);
 }
 
-/* Two frames drawn a tile at a time in turn come out as each drawn alone. */
-void two_renderers_side_by_side(void) {
-    uint32_t alone[2];
-    half halves[2];
-    fixture *f = fixture_begin();
-    for (int i = 0; i < 2; i++) {
-        half_begin(&halves[i], f, i);
-        while (halves[i].status > 0)
-            half_step(&halves[i]);
-        CHECK_EQUAL(halves[i].status, 0);
-        alone[i] = halves[i].checksum;
-    }
-    CHECK(alone[0] != alone[1]);
-    half_begin(&halves[0], f, 0);
-    half_begin(&halves[1], f, 1);
-    while (halves[0].status > 0 || halves[1].status > 0) {
-        for (int i = 0; i < 2; i++) {
-            if (halves[i].status > 0)
-                half_step(&halves[i]);
-        }
-    }
-    CHECK_EQUAL(halves[0].checksum, alone[0]);
-    CHECK_EQUAL(halves[1].checksum, alone[1]);
-}
-
-/* ---- Pages ------------------------------------------------------------------------------------------------------ */
-
-static uint32_t pages_compared, pages_wrong;
-
-/* Holds a tile of pages against what the fixture drew in rows. */
-static int compare_pages(void *context, int x, int y, int width, int height, const void *pixels, size_t stride) {
-    const uint8_t *bytes = pixels;
-    for (int row = 0; row < height; row++) {
-        const uint8_t *wanted = fixture_row(context, y + row);
-        for (int column = 0; column < width; column++) {
-            const unsigned is = bytes[(size_t)column + (size_t)(row / 8 * 8) * stride] >> (row % 8) & 1u;
-            pages_wrong += is != (wanted[(x + column) / 8] >> ((x + column) % 8) & 1u);
-            pages_compared++;
-        }
-    }
-    return 0;
-}
-
-static void expect_pages(const glint_format *rows, const glint_format *pages) {
-    fixture *f = fixture_begin();
-    f->config.format = rows;
-    CHECK_EQUAL(fixture_render(f), GLINT_OK);
-    glint_config config = f->config;
-    config.format = pages;
-    config.flush = (glint_flush){compare_pages, 0, f};
-    pages_compared = pages_wrong = 0;
-    CHECK_EQUAL(glint_init(&f->renderer, &config), GLINT_OK);
-    CHECK_EQUAL(glint_render(&f->renderer, &f->scene), GLINT_OK);
-    CHECK_EQUAL(pages_compared, FIXTURE_WIDTH * FIXTURE_HEIGHT);
-    CHECK_EQUAL(pages_wrong, 0);
-}
-
-void pages_show_what_rows_do(void) {
-    expect_pages(&glint_format_mono, &glint_format_mono_pages);
-    expect_pages(&glint_format_mono_dithered, &glint_format_mono_pages_dithered);
-}
-
 /* ---- Materials -------------------------------------------------------------------------------------------------- */
 
 void paint_is_diffuse_and_its_fraction_ambient(void) {
@@ -346,76 +236,6 @@ static int worst_difference(const fixture *f, const int wanted[3]) {
         }
     }
     return worst;
-}
-
-void unlit_white_square_fills_the_screen(void) {
-    static const int white[3] = {255, 255, 255};
-    fixture *f = begin_square();
-    f->scene.light_count = 0;
-    f->materials[0].ambient.r = f->materials[0].ambient.g = f->materials[0].ambient.b = GLINT_ONE;
-    CHECK_EQUAL(fixture_render(f), GLINT_OK);
-    CHECK_EQUAL(worst_difference(f, white), 0);
-    f->materials[0].ambient.g = GLINT_ONE / 2; /* 127.5 rounds either way */
-    f->materials[0].ambient.b = 0;
-    static const int orange[3] = {255, 128, 0};
-    CHECK_EQUAL(fixture_render(f), GLINT_OK);
-    CHECK_AT_MOST(worst_difference(f, orange), 1);
-    CHECK_EQUAL(fixture_row(f, 5)[6], 255);
-    CHECK_EQUAL(fixture_row(f, 5)[8], 0);
-}
-
-/* N.L = 0.6, N.H = cos(half of 53.13 degrees) = 0.894427, to the power 4: 0.64. */
-void light_on_a_facing_square(void) {
-    fixture *f = begin_square();
-    const glint_vector direction = {-4 * GLINT_ONE, 0, -3 * GLINT_ONE};
-    f->scene.viewer = GLINT_VIEWER_INFINITE;
-    f->lights[0].direction = direction;
-    f->materials[0].shininess = 4 * GLINT_ONE;
-    f->materials[0].ambient.r = f->materials[0].ambient.g = f->materials[0].ambient.b = GLINT_ONE / 10;
-    f->materials[0].diffuse.r = GLINT_ONE / 2;
-    f->materials[0].diffuse.g = f->materials[0].diffuse.b = 0;
-    f->materials[0].specular.r = 0;
-    f->materials[0].specular.g = GLINT_ONE / 2;
-    f->materials[0].specular.b = 2 * GLINT_ONE;   /* clamped */
-    static const int wanted[3] = {102, 107, 255}; /* 255 x 0.4, 0.42, 1.38 */
-    CHECK_EQUAL(fixture_render(f), GLINT_OK);
-    CHECK_AT_MOST(worst_difference(f, wanted), 1);
-    f->lights[0].direction.z = 1; /* from just behind: ambient alone */
-    static const int unlit[3] = {26, 26, 26};
-    CHECK_EQUAL(fixture_render(f), GLINT_OK);
-    CHECK_AT_MOST(worst_difference(f, unlit), 1);
-}
-
-/*
- * Normals away from the eye, towards a light that is straight behind: there is no half vector, and so no highlight,
- * whatever rounding makes of L + V. In no light they are as those that face the eye. By suns, and by lamps.
- */
-void light_from_behind_has_no_highlight(void) {
-    static const int16_t normals[4][3] = {{0, -32767, 0}, {0, -32767, 0}, {0, -32767, 0}, {0, -32767, 0}};
-    static const glint_format *const formats[2] = {&glint_format_rgb565, &glint_format_rgb888};
-    for (int which = 0; which < 2; which++) {
-        for (int32_t z = 1 << 14; z < 1 << 15; z += 777) {
-            fixture *f = begin_square();
-            f->config.format = formats[which];
-            f->floor.normals = normals;
-            f->floor.flags = 0;
-            f->scene.viewer = GLINT_VIEWER_INFINITE;
-            f->lights[0].direction = (glint_vector){0, 0, z};
-            CHECK_EQUAL(fixture_render(f), GLINT_OK);
-            const uint32_t with = fixture_checksum(f);
-            f->lights[0].specular.r = f->lights[0].specular.g = f->lights[0].specular.b = 0;
-            CHECK_EQUAL(fixture_render(f), GLINT_OK);
-            CHECK_EQUAL(with, fixture_checksum(f));
-        }
-        fixture *f = begin_square();
-        f->config.format = formats[which];
-        f->scene.light_count = 0;
-        CHECK_EQUAL(fixture_render(f), GLINT_OK);
-        const uint32_t facing = fixture_checksum(f);
-        f->floor.normals = normals;
-        CHECK_EQUAL(fixture_render(f), GLINT_OK);
-        CHECK_EQUAL(facing, fixture_checksum(f));
-    }
 }
 
 /* A triangle around (0, 0, -depth), lit at its centroid, without gate and with p = 0: any light would be seen. */
@@ -500,27 +320,6 @@ void mirrored_light_is_at_full_strength(void) {
     f->materials[0].specular.g = GLINT_ONE;
     CHECK_EQUAL(fixture_render(f), GLINT_OK);
     CHECK_AT_MOST(worst_difference(f, wanted), 1);
-}
-
-/* In either order, and the first of two at the same depth. */
-void nearer_object_hides_the_farther(void) {
-    for (int order = 0; order < 4; order++) {
-        static const int red[3] = {255, 0, 0};
-        fixture *f = begin_square();
-        int nearer = order == 1; /* orders 2 and 3 tie */
-        f->scene.light_count = 0;
-        f->scene.object_count = 2;
-        f->objects[1] = f->objects[0];
-        f->objects[1].material = &f->materials[1];
-        if (order < 2)
-            f->objects[nearer].pose.m[2][3] += GLINT_ONE;
-        for (int i = 0; i < 2; i++) {
-            const glint_colour colour = {i == nearer ? GLINT_ONE : 0, i == nearer ? 0 : GLINT_ONE, 0};
-            f->materials[i].ambient = colour;
-        }
-        CHECK_EQUAL(fixture_render(f), GLINT_OK);
-        CHECK_EQUAL(worst_difference(f, red), 0);
-    }
 }
 
 /* A square so far away, beside what is near, that 1/w rounds to 0: lit at its corners, or its triangles, it is white.

@@ -31,13 +31,7 @@
     CASE(statistics)                                \
     CASE(arena_used_is_what_was_written)            \
     CASE(row_bytes)                                 \
-    CASE(pages_show_what_rows_do)                   \
     CASE(paint_is_diffuse_and_its_fraction_ambient) \
-    CASE(two_renderers_side_by_side)                \
-    CASE(unlit_white_square_fills_the_screen)       \
-    CASE(nearer_object_hides_the_farther)           \
-    CASE(light_on_a_facing_square)                  \
-    CASE(light_from_behind_has_no_highlight)        \
     CASE(light_at_no_distance_adds_nothing)         \
     CASE(torus_far_around_the_eye_is_drawn)         \
     CASE(farthest_surfaces_are_lit)                 \
