@@ -167,28 +167,6 @@ def test_pieces(host):
 COMPILERS = (("cc", "c"), ("clang", "c"), ("c++", "cpp"), ("clang++", "cpp"))
 
 
-def test_headers_compile(host):
-    host.write("mesh_source.obj", SQUARE)
-    host.write("big.obj", torus_text(264, 256))
-    host.write("painted.obj", "v 0 0 0 1 0 0\nv 1 0 0 0 1 0\nv 0 1 0 0 0 1\nf 1 2 3\n")
-    names = {"teapot": convert(host, os.path.join(MODELS, "teapot.obj")), "mesh_source": convert(host, "mesh_source.obj"),
-             "big": convert(host, "big.obj", warning=TOO_LARGE), "painted": convert(host, "painted.obj")}
-    for name, text in names.items():
-        host.write(name + ".h", text)
-        value = "big_meshes[1]" if name == "big" else name + "_mesh"
-        for suffix in ("c", "cpp"):
-            host.write(f"use.{suffix}", f'#include "{name}.h"\n#include "{name}.h"\n'
-                       f"int main(void);\nint main(void) {{ return {value}.vertex_count == 0; }}\n")
-        for compiler, suffix in COMPILERS[::2 if name == "big" else 1]:
-            if shutil.which(compiler) is None:
-                continue
-            options = ["-std=c99"] if suffix == "c" else []
-            run = subprocess.run([compiler, *options, *STRICT, "-fsyntax-only", f"use.{suffix}"], cwd=host.folder,
-                                 capture_output=True, text=True, check=False)
-            host.check(f"{name}.h with {compiler}", run.returncode == 0, run.stderr[:500])
-        os.remove(host.path(name + ".h"))
-
-
 PAINTED = "mtllib two.mtl\nv -1 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 -1\nusemtl front\nf 1 2 3\nusemtl sides\nf 2 1 4\nf 3 2 4\nf 1 3 4\n"
 USE_OF_PAIR = """#include "{name}.h"
 #include "{name}.h"

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Firmware that counts the instructions of every method in tests/unit/methods, over inputs such as a picture has many of.
- * The loop over them, with its loads and stores, is counted by itself and taken off. It writes a line for each,
+ * Firmware that counts the instructions of every method in tests/unit/methods, over inputs such as a picture has many
+ * of. The loop over them, with its loads and stores, is counted by itself and taken off. It writes a line for each,
  *     power,rational,cos,INSTRUCTIONS,call,BYTES
  * instructions in hundredths, for one call, pixel or vertex; bytes of tables.
  */
