@@ -7,7 +7,7 @@
 
 static void (*const left_out[])(void) = {
     same_bits_for_every_tile_and_arena,  bad_meshes_are_refused,    farthest_row_is_drawn,
-    clusters_that_face_away_are_dropped, unknown_flags_are_refused, frames_refuse_bad_configurations,
+    clusters_that_face_away_are_dropped, unknown_flags_are_refused, frames_refuse_small_arenas,
     arena_one_byte_short_is_refused};
 
 static int is_left_out(void (*run)(void)) {

@@ -25,7 +25,7 @@
     CASE(bad_poses_are_refused)                     \
     CASE(limits_are_accepted)                       \
     CASE(arena_one_byte_short_is_refused)           \
-    CASE(frames_refuse_bad_configurations)          \
+    CASE(frames_refuse_small_arenas)                \
     CASE(flush_without_wait)                        \
     CASE(status_sentences)                          \
     CASE(statistics)                                \
