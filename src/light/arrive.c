@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Arrive: ways to lights that are near, and what arrives of any where that is not put into loops; arrive.h. */
+/* Finds ways to lights: near ones with all bits, and those of other octaves of 1/w in their own unit; arrive.h. */
 #include "arrive.h"
 
 #include "../math/product.h"
@@ -7,32 +7,33 @@
 
 /* ---- Ways ---- */
 
-/* Finds 1/w of a fragment from 2^31 on, in the octave of the unit of places. */
-static uint32_t find_inverse_w(const glint_lamps *lamps, const glint_lit_view *s) {
+/* Returns 1/w of a fragment, with more bits than depth has, from 2^31 on: scaled to the octave of the unit. */
+static uint32_t find_inverse_w(const glint_lamps *lamps, const glint_lit_view *view) {
     glint_row_walk *walk = lamps->walk;
     if (!walk->list->has_w)
         glint_set_fine_w(walk);
-    const int32_t fine = glint_lamp_plane(&walk->w, glint_fragment_row(s->at), glint_fragment_column(s->at));
+    const int32_t fine =
+        glint_lamp_plane(&walk->w, glint_fragment_row(view->fragment), glint_fragment_column(view->fragment));
     const uint32_t up = (uint32_t)glint_least(glint_most(17 - lamps->unit - (int32_t)walk->list->up, 1), 31);
     if (fine <= glint_shift_right(INT32_MAX, up))
         return 1u << 31;
     return fine >> (32 - up) ? UINT32_MAX : (uint32_t)fine << up;
 }
 
-/* Finds the way from a fragment's place to the eye, as in `e`, with the bits that this lacks of w. */
-static void find_fine_place(const glint_lamps *lamps, const glint_lit_view *s, int32_t e[3]) {
+/* Finds the vector from a fragment's place to the eye, as in `e` of the view, with w of all bits. */
+static void find_fine_place(const glint_lamps *lamps, const glint_lit_view *view, int32_t e[3]) {
     if (lamps->walk->frame->view->is_parallel) {
         for (int c = 0; c < 3; c++)
-            e[c] = s->e[c];
+            e[c] = view->e[c];
         return;
     }
-    const uint32_t w = glint_reciprocal(find_inverse_w(lamps, s));
-    glint_find_fine_ray(lamps, s->at, e);
+    const uint32_t w = glint_reciprocal(find_inverse_w(lamps, view));
+    glint_find_fine_ray(lamps, view->fragment, e);
     for (int c = 0; c < 3; c++)
         e[c] = (int32_t)glint_shift_right64(glint_product(e[c], (int32_t)(w >> 1)), 27);
 }
 
-/* Adds a light's place to the way to the eye. */
+/* Finds the vector from a fragment to a light, 31 bits, by adding the light's place to the vector to the eye. */
 static inline void add_place(const glint_drawn_lamp *lamp, const int32_t e[3], int32_t way[3]) {
     const int32_t *const place = lamp->source->lamp.place;
     for (int c = 0; c < 3; c++)
@@ -40,15 +41,15 @@ static inline void add_place(const glint_drawn_lamp *lamp, const int32_t e[3], i
 }
 
 static GLINT_NOINLINE void find_fine_way(const glint_lamps *lamps, const glint_drawn_lamp *lamp,
-                                         const glint_lit_view *s, int32_t way[3]) {
+                                         const glint_lit_view *view, int32_t way[3]) {
     int32_t e[3];
-    find_fine_place(lamps, s, e);
+    find_fine_place(lamps, view, e);
     add_place(lamp, e, way);
 }
 
 /* ---- Units of places ---- */
 
-/* Returns 1 / tan^2 of a spot's outer angle, Q8, below 2^16; 0 from a right angle on. */
+/* Returns 1 / tan^2 of a spot's outer angle, Q8, below 2^16; an angle of 90 degrees or more gives 0. */
 static uint16_t sharpness_of(const glint_prepared_light *source) {
     const int32_t cosine = glint_shift_right(source->spot.cosine_outer, 15);
     if (cosine <= 0)
@@ -58,9 +59,9 @@ static uint16_t sharpness_of(const glint_prepared_light *source) {
 }
 
 /*
- * Brings lights to the unit of places where 1/w 2^-unit has 16 bits. A place lies within 2^15 of the eye, and so does a
- * light: of one that is farther, both are taken 2^-k of what they are. With two bits for the sum of both, products with
- * other vectors of 15 bits have 31.
+ * Brings lights to the unit of places in which 1/w 2^-unit has 16 bits. A fragment's place lies within 2^15 of the eye,
+ * and so does a light: if a light is farther, its place and the fragment's are both scaled by 2^-k. The sum of both has
+ * up to two bits more, so that products with other vectors of 15 bits have 31.
  */
 static void bring_to_unit(glint_lamps *lamps) {
     const int32_t unit = lamps->unit;
@@ -70,11 +71,11 @@ static void bring_to_unit(glint_lamps *lamps) {
             continue;
         const int32_t near_shift = source->lamp.shift - 15 - unit, k = glint_most(16 - near_shift, 0);
         const unsigned shift = (unsigned)glint_least(near_shift + k, 30);
-        const int32_t half = (int32_t)(1u << shift); /* half a step, and what e lacks on the average */
+        const int32_t half = (int32_t)(1u << shift); /* half a step to round, and half that the cut of `e` loses */
         for (int c = 0; c < 3; c++)
-            lamp->at[c] = glint_shift_right(source->lamp.place[c] + half, shift);
+            lamp->place[c] = glint_shift_right(source->lamp.place[c] + half, shift);
         lamp->down = (uint8_t)glint_least(16 + k, 31);
-        /* few pixels: 12 of a fragment as far as places of this unit may be */
+        /* 12 pixels, at the largest distance that places of this unit can have */
         const uint32_t cell =
             (uint32_t)glint_shift_right(glint_least(lamps->step >> 8, 1 << 14), (unsigned)glint_least(k, 15));
         lamp->rough = cell * cell / 4 * 9;
@@ -82,7 +83,7 @@ static void bring_to_unit(glint_lamps *lamps) {
                        narrow = lamp->rough >> 8;
         lamp->cone_rough = (narrow < most ? narrow : most) * sharpness;
         lamp->cone_rough = lamp->cone_rough > lamp->rough ? lamp->cone_rough : lamp->rough;
-        lamp->near = k <= 3 ? lamps->near >> k : 0; /* farther ones are never so near */
+        lamp->near = k <= 3 ? lamps->near >> k : 0; /* lights of larger k are never so near */
         lamp->fine_down = (uint8_t)glint_least(near_shift + k - 15, 31);
         const int32_t linear_shift = source->lamp.linear_shift - (k - unit),
                       quadratic_shift = source->lamp.quadratic_shift - 2 * (k - unit);
@@ -98,8 +99,9 @@ static void bring_to_unit(glint_lamps *lamps) {
 }
 
 /*
- * Finds the ways from a triangle's corners to the eye, in a unit of places for all. @return the leading zeros of 1/w
- * there, or below 0 where a corner lies in another octave or too far out
+ * Finds the vectors from a triangle's corners to the eye, all in one unit of places.
+ * @return the leading zeros of 1/w at the corners, or a number below 0 if a corner has another octave of 1/w or lies
+ * too far outside of the screen
  */
 static int32_t find_corner_ways(const glint_row_walk *walk, int32_t e[3][3]) {
     const glint_vertex *const *v = walk->triangle.corners;
@@ -122,33 +124,33 @@ static int32_t find_corner_ways(const glint_row_walk *walk, int32_t e[3][3]) {
     return (int32_t)zeros;
 }
 
-/* V of parallel rays is brought to 14 bits times w of a power of two. */
-static void find_parallel(const glint_row_walk *walk, glint_lit_view *s) {
-    const glint_view *view = walk->frame->view;
-    const int32_t distance = walk->frame->scene->camera.projection->distance_of(view, s->at->inverse_w);
-    const int64_t far = glint_shift_right64(glint_product(distance, view->ray_scale), 24);
+/* Sets V and w of a fragment where rays are parallel: V has 14 bits, and w is a power of two. */
+static void find_parallel(const glint_row_walk *walk, glint_lit_view *view) {
+    const glint_view *camera = walk->frame->view;
+    const int32_t distance = walk->frame->scene->camera.projection->distance_of(camera, view->fragment->inverse_w);
+    const int64_t far = glint_shift_right64(glint_product(distance, camera->ray_scale), 24);
     const unsigned bits = glint_bits64(glint_magnitude64(far)), down = bits > 14 ? bits - 14 : 0,
                    rest = down > 16 ? down - 16 : 0;
-    s->v[0] = glint_shift_right(s->v[0], rest);
-    s->v[1] = glint_shift_right(s->v[1], rest);
-    s->v[2] = (int32_t)glint_shift_right64(far, rest);
-    s->w = 1 << (16 - (down - rest));
+    view->v[0] = glint_shift_right(view->v[0], rest);
+    view->v[1] = glint_shift_right(view->v[1], rest);
+    view->v[2] = (int32_t)glint_shift_right64(far, rest);
+    view->w = 1 << (16 - (down - rest));
     glint_set_lamps_unit(walk, 16 - (int32_t)down);
 }
 
-GLINT_NOINLINE void glint_find_other_w(const glint_row_walk *walk, glint_lit_view *s) {
-    const uint32_t inverse_w = (uint32_t)s->at->inverse_w, zeros = glint_leading_zeros(inverse_w);
+GLINT_NOINLINE void glint_find_other_w(const glint_row_walk *walk, glint_lit_view *view) {
+    const uint32_t inverse_w = (uint32_t)view->fragment->inverse_w, zeros = glint_leading_zeros(inverse_w);
     if (walk->frame->view->is_parallel) {
-        find_parallel(walk, s);
+        find_parallel(walk, view);
         return;
     }
     glint_set_lamps_unit(walk, 16 - (int32_t)zeros - (int32_t)walk->list->room);
-    s->w = glint_reciprocal16(inverse_w << zeros >> 16);
+    view->w = glint_reciprocal16(inverse_w << zeros >> 16);
 }
 
 /* ---- Near lights ---- */
 
-/* x 2^-shift, at most 2^30. */
+/* Returns x 2^-shift, at most 2^30. */
 static uint32_t weaken_by(uint32_t x, int32_t shift) {
     if (shift > 31)
         return 0;
@@ -156,21 +158,22 @@ static uint32_t weaken_by(uint32_t x, int32_t shift) {
 }
 
 GLINT_NOINLINE uint32_t glint_sum_attenuation(const glint_drawn_lamp *lamp, uint32_t distance, uint32_t square,
-                                              uint32_t up) {
-    return (1u << 16) + weaken_by(distance * lamp->linear, lamp->linear_shift + (int32_t)(up >> 1)) +
-           weaken_by((square >> 16) * lamp->quadratic, lamp->quadratic_shift + (int32_t)up);
+                                              uint32_t square_up) {
+    return (1u << 16) + weaken_by(distance * lamp->linear, lamp->linear_shift + (int32_t)(square_up >> 1)) +
+           weaken_by((square >> 16) * lamp->quadratic, lamp->quadratic_shift + (int32_t)square_up);
 }
 
-/* A way of a quarter of a step is no more than rounding leaves: of a lamp at the surface nothing arrives. */
-GLINT_NOINLINE int glint_find_near_way(const glint_lamps *lamps, const glint_drawn_lamp *lamp, const glint_lit_view *s,
-                                       uint32_t coarse_square, int32_t coarse_cosine, glint_lamp_way *way) {
+/* A way shorter than a quarter of a step is nothing but rounding: a light in the surface itself does not light it. */
+GLINT_NOINLINE int glint_find_near_way(const glint_lamps *lamps, const glint_drawn_lamp *lamp,
+                                       const glint_lit_view *view, uint32_t coarse_square, int32_t coarse_cosine,
+                                       glint_lamp_way *way) {
     int32_t d[3];
     if (coarse_square < lamp->rough || lamp->has_cone)
-        s->at->is_rough = 1;
+        view->fragment->is_rough = 1;
     if (coarse_square < lamps->nearest >> (lamp->down - 16) || coarse_cosine <= lamps->far_gate)
-        find_fine_way(lamps, lamp, s, d);
+        find_fine_way(lamps, lamp, view, d);
     else
-        add_place(lamp, s->e, d);
+        add_place(lamp, view->e, d);
     const unsigned zeros =
         glint_leading_zeros(glint_magnitude_bits(d[0]) | glint_magnitude_bits(d[1]) | glint_magnitude_bits(d[2]));
     if (zeros > 18)
@@ -180,37 +183,38 @@ GLINT_NOINLINE int glint_find_near_way(const glint_lamps *lamps, const glint_dra
     way->square = 0;
     way->cosine = 0;
     for (int c = 0; c < 3; c++) {
-        const int32_t x = way->at[c] = glint_shift_right(d[c] + half, down);
+        const int32_t x = way->vector[c] = glint_shift_right(d[c] + half, down);
         way->square += (uint32_t)(x * x);
-        way->cosine += s->n[c] * x;
+        way->cosine += view->n[c] * x;
     }
-    way->more = 2 * (15 - down);
+    way->square_up = 2 * (15 - down);
     return way->cosine > lamps->gate;
 }
 
 GLINT_NOINLINE void glint_mark_rough(const glint_drawn_lamp *lamp, glint_lit_fragment *f, int32_t x, int32_t y,
                                      int32_t z, uint32_t square) {
-    if (square >= lamp->rough) { /* then it has a cone */
+    if (square >= lamp->rough) { /* only lights with a cone get here: the distance from its axis decides */
         const int16_t *axis = lamp->source->direction;
-        const int32_t along = glint_shift_right(axis[0] * x + axis[1] * y + axis[2] * z, 15);
-        if (along <= 0 || (int32_t)(square - (uint32_t)along * (uint32_t)along) >=
+        const int32_t axial = glint_shift_right(axis[0] * x + axis[1] * y + axis[2] * z, 15);
+        if (axial <= 0 || (int32_t)(square - (uint32_t)axial * (uint32_t)axial) >=
                               4 * (int32_t)glint_least((int32_t)lamp->rough, INT32_MAX / 4))
             return;
     }
     f->is_rough = 1;
 }
 
-/* ---- What lamps call ---- */
+/* ---- Interface of lamps ---- */
 
 const glint_places glint_lamp_places = {bring_to_unit, find_corner_ways, find_fine_way};
 
 #if GLINT_SMALL
-int glint_arrive_from_place(const glint_lamps *lamps, const glint_drawn_lamp *lamp, glint_lit_view *s,
+int glint_arrive_from_place(const glint_lamps *lamps, const glint_drawn_lamp *lamp, glint_lit_view *view,
                             glint_arrival *to) {
-    return arrive_from_place(lamps, lamp, s, to, lamps->has_gloss);
+    return arrive_from_place(lamps, lamp, view, to, lamps->has_gloss);
 }
 
-int glint_arrive_along(const glint_lamps *lamps, const glint_drawn_lamp *lamp, glint_lit_view *s, glint_arrival *to) {
-    return arrive_along(lamps, lamp, s, to, lamps->has_gloss);
+int glint_arrive_from_direction(const glint_lamps *lamps, const glint_drawn_lamp *lamp, glint_lit_view *view,
+                                glint_arrival *to) {
+    return arrive_from_direction(lamps, lamp, view, to, lamps->has_gloss);
 }
 #endif

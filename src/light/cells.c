@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Cells: large triangles in squares of 8 x 8 pixels that are aligned to the screen. Light is found at nodes, each
- * fourth pixel of each fourth row, which neighbours share. Where the nodes between others are close to the mean of
- * these, colours between nodes are linear; elsewhere each fragment is lit. Values alone decide, none of them a matter
- * of what is hidden or where a tile ends.
+ * Cells: draws large triangles in squares of 8 x 8 pixels, aligned to the screen. Light is computed at nodes, every
+ * fourth pixel of every fourth row, which neighbouring cells share. Where the middle one of three nodes in a row or a
+ * column is close to the mean of the other two, colours are interpolated between nodes; elsewhere each fragment is lit.
+ * The values of nodes alone decide, and do not depend on depth or on the border of a tile.
  */
 #include "../pixel/format.h"
 #include "../raster/depth.h"
@@ -13,26 +13,26 @@
 #define NODE_STEP 4
 #define NODES (GLINT_TILE_MAX / NODE_STEP + 1)
 
-/* A node's colour: levels, Q14, with half a level or what dithering leaves free; up to 2. Last, lights that its surface
- * faces away from. */
+/* A node: its colour in levels, Q14, from 0 to 2, half a level or the margin of dithering included; and the number of
+ * lights that its surface faces away from. */
 typedef int16_t cell_node[4];
 enum { UNSEEN = 3 };
 
 #define COLOUR_BITS 14
 
-/* Dithered formats add this to red and blue: eight steps, rounded to 2^-16, take off at most 5 of these. Green
- * and luma are exact. */
+/* Colours of dithered formats keep this margin in red and blue, as eight steps, each rounded to 2^-16, lose at most 5
+ * times 2^-16. Green and luma are exact. */
 #define LANE_MARGIN (2 << (COLOUR_BITS - 14))
 
-/* Rows of nodes above, in and below the cells of a row. */
+/* The three rows of nodes of a row of cells: at its top, middle and bottom. */
 typedef struct cell_rows {
     glint_row_walk *walk;
     cell_node *row[3];
-    uint32_t known[3];      /* which of these nodes are known, by bits, */
-    uint32_t above[3];      /* and which have a channel above what is stored */
-    int32_t less[3];        /* half a level, but for what dithering leaves free; else 0 */
-    int32_t most[3];        /* the largest value that is stored */
-    uint32_t level_bits[3]; /* of a channel's levels; 8 where a format has fewer than 5 */
+    uint32_t known[3];      /* bit n: node n of the row has been lit */
+    uint32_t above[3];      /* bit n: a channel of node n exceeds the largest value that can be stored */
+    int32_t less[3];        /* nodes have this less than fragments: half a level of dithered formats, less the margin */
+    int32_t most[3];        /* the largest value that can be stored */
+    uint32_t level_bits[3]; /* bits of a channel's levels; 8 if the format has fewer than 5 */
     cell_node nodes[3][NODES];
 } cell_rows;
 
@@ -47,7 +47,7 @@ void glint_keep_span(glint_row_walk *walk, int32_t row, int32_t left, int32_t ri
 
 /* ---- Nodes ---- */
 
-/* Sets a channel of a node. @return is it more than is stored? */
+/* Sets a channel of a node. @return whether it exceeds the largest value that can be stored */
 static inline uint32_t set_channel(const cell_rows *r, int c, int32_t from, int16_t *to) {
     const int32_t half = 1 << (GLINT_CHANNEL_BITS - COLOUR_BITS - 1),
                   value = glint_shift_right(from + half, GLINT_CHANNEL_BITS - COLOUR_BITS) - r->less[c];
@@ -60,7 +60,7 @@ static inline void set_node(cell_rows *r, int k, uint32_t n, const glint_lit_fra
     const glint_format *format = r->walk->frame->config.format;
     const int32_t *const colour = f->out.colour;
     int32_t from[3] = {colour[0], colour[1], colour[2]};
-    if (!format->channel[1]) { /* luma (ITU-R BT.601) */
+    if (!format->channel[1]) { /* the format stores luma (ITU-R BT.601) */
         int32_t part[3];       /* Q15, clamped */
         for (int c = 0; c < 3; c++)
             part[c] = glint_least(glint_most(glint_shift_right(colour[c], GLINT_CHANNEL_BITS - 15), 0), 1 << 15);
@@ -75,7 +75,8 @@ static inline void set_node(cell_rows *r, int k, uint32_t n, const glint_lit_fra
     r->known[k] |= 1u << n;
 }
 
-/* Lights nodes of a row, by bits; those whose 1/w is out of range, or around which light is rough, are not known. */
+/* Lights the nodes n of a row for which bit n of `missing` is set. A node stays unknown if its 1/w is out of range, or
+ * if light is rough around it. */
 static GLINT_NOINLINE void light_nodes(cell_rows *r, int k, uint32_t y, uint32_t missing) {
     glint_row_walk *walk = r->walk;
     glint_lit_fragment *const first = walk->list->fragment, *f = first;
@@ -99,21 +100,23 @@ static GLINT_NOINLINE void light_nodes(cell_rows *r, int k, uint32_t y, uint32_t
 
 /* ---- Colours between nodes ---- */
 
-/* Twice what the middle of three nodes may be off the mean of the others, in levels, Q14: nodes of a square of 4
- * pixels, and of one of 8. */
-#define CLOSE_OF_4 (7 << 10)
-#define CLOSE_OF_8 (7 << 9)
+/* The bend of three nodes in a line is twice the difference between the middle one and the mean of the others, in
+ * levels, Q14. Colours are interpolated within squares of 4 or 8 pixels if no bend exceeds this. */
+#define MOST_BEND_OF_4 (7 << 10)
+#define MOST_BEND_OF_8 (7 << 9)
 
-/* Levels, Q14, that nodes on both sides of a horizon may differ by. */
+/* The horizon of a light is where surfaces begin to face away from it. Nodes on both sides of a horizon may differ by
+ * this, in levels, Q14. */
 #define HORIZON_CHANGE (1 << 14)
 
-/* Twice how far the middle of three nodes is off the mean of the others, in levels, Q14. */
-static inline int32_t node_bend_of(const cell_rows *r, int c, const int16_t *a, const int16_t *m, const int16_t *b) {
+/* Returns the bend of a channel. */
+static inline int32_t channel_bend(const cell_rows *r, int c, const int16_t *a, const int16_t *m, const int16_t *b) {
     const int32_t bend = 2 * m[c] - a[c] - b[c];
     return (bend < 0 ? -bend : bend) << r->level_bits[c];
 }
 
-/* Does a light's horizon pass between nodes whose colours differ? The bend of others may make up for it at nodes. */
+/* Returns whether a light's horizon passes between nodes whose colours differ. The bends alone might not tell, as those
+ * of two lights can cancel at the nodes. */
 static inline int has_horizon(const cell_rows *r, const int16_t *a, const int16_t *m, const int16_t *b) {
     int32_t most = 0;
     if (a[UNSEEN] == m[UNSEEN] && m[UNSEEN] == b[UNSEEN])
@@ -123,13 +126,14 @@ static inline int has_horizon(const cell_rows *r, const int16_t *a, const int16_
     return most > HORIZON_CHANGE;
 }
 
+/* Returns the largest bend of a channel, or INT32_MAX if there is a horizon. */
 static inline int32_t find_node_bend(const cell_rows *r, const int16_t *a, const int16_t *m, const int16_t *b) {
     if (has_horizon(r, a, m, b))
         return INT32_MAX;
-    return glint_most_of(node_bend_of(r, 0, a, m, b), node_bend_of(r, 1, a, m, b), node_bend_of(r, 2, a, m, b));
+    return glint_most_of(channel_bend(r, 0, a, m, b), channel_bend(r, 1, a, m, b), channel_bend(r, 2, a, m, b));
 }
 
-/* Are some known nodes of a cell more than is stored, and others not? */
+/* Returns whether a channel can be stored at some known nodes of a cell, and at others exceeds the largest value. */
 static int cell_is_saturated(const cell_rows *r, uint32_t n) {
     for (int c = 0; c < 3; c++) {
         uint32_t above = 0, below = 0;
@@ -146,12 +150,13 @@ static int cell_is_saturated(const cell_rows *r, uint32_t n) {
     return 0;
 }
 
-/* A channel of a square: at its first column, its change from column to column, and the changes of both from row to
- * row; 2^-24. */
+/* A channel of a square in the current row: its value at the first column, its change from column to column, and the
+ * changes of both from row to row; Q24. */
 typedef struct patch_channel {
     int32_t value, step, down, turn;
 } patch_channel;
 
+/* Begins with the first row of a square of 2^bits pixels between four nodes: two above, two below. */
 static inline patch_channel begin_channel(const cell_rows *r, int c, unsigned bits, const int16_t *const node[4]) {
     const int32_t most = r->most[c], up = 1 << (24 - COLOUR_BITS);
     const int32_t v = glint_least(node[0][c], most), right = glint_least(node[1][c], most) - v,
@@ -160,12 +165,12 @@ static inline patch_channel begin_channel(const cell_rows *r, int c, unsigned bi
                            glint_shift_right(across * up, 2 * bits)};
 }
 
-static inline void step_channel(patch_channel *p) {
-    p->value += p->down;
-    p->step += p->turn;
+static inline void step_channel(patch_channel *channel) {
+    channel->value += channel->down;
+    channel->step += channel->turn;
 }
 
-/* The kept span of a row within so many columns. @return 0 where there is none */
+/* Finds the part of a row's cached span from column x to before `end`. @return 0 if there is none */
 static inline int clip_to_columns(const glint_lamp_list *list, uint32_t row, uint32_t x, uint32_t end, uint32_t *left,
                                   uint32_t *right) {
     if (row < list->top || row >= list->bottom)
@@ -175,7 +180,8 @@ static inline int clip_to_columns(const glint_lamp_list *list, uint32_t row, uin
     return *left < *right;
 }
 
-/* Draws a square of pixels between four nodes, 2^bits wide, of the kept spans. */
+/* Draws the parts of cached spans in a square of 2^bits x 2^bits pixels, with colours interpolated between its four
+ * nodes. */
 static void draw_patch(const cell_rows *r, uint32_t x, uint32_t y, unsigned bits, const int16_t *a, const int16_t *b,
                        const int16_t *below_a, const int16_t *below_b) {
     glint_row_walk *walk = r->walk;
@@ -208,7 +214,7 @@ static void draw_patch(const cell_rows *r, uint32_t x, uint32_t y, unsigned bits
 
 /* ---- Cells ---- */
 
-/* Is a pixel of a cell nearer than what was there? */
+/* Returns whether a pixel of a cell passes the depth test. */
 static int cell_is_seen(const glint_row_walk *walk, uint32_t x, uint32_t y) {
     for (uint32_t row = y; row < y + CELL; row++) {
         uint32_t left, right;
@@ -223,21 +229,22 @@ static int cell_is_seen(const glint_row_walk *walk, uint32_t x, uint32_t y) {
     return 0;
 }
 
-/* Finds which squares of a cell are not linear, by bits. @return 0 where all are and the cell is, too */
+/* Finds which parts of a cell bend too much to be interpolated. @return bit i is set for square i of 4 x 4 pixels, row
+ * by row, bit 4 for the whole cell */
 static uint32_t find_bent(const cell_rows *r, uint32_t n) {
     uint32_t bent = 0, is_bent = 0;
-    for (uint32_t k = 0; k < 3; k++) { /* a row or a column of nodes borders on two or four squares */
-        static const uint8_t of_row[3] = {3, 15, 12}, of_column[3] = {5, 15, 10};
+    for (uint32_t k = 0; k < 3; k++) {
+        static const uint8_t of_row[3] = {3, 15, 12}, of_column[3] = {5, 15, 10}; /* squares that border on it */
         const int is_row_known = (r->known[k] >> n & 7) == 7,
                   is_column_known = (int)(r->known[0] >> (n + k) & r->known[1] >> (n + k) & r->known[2] >> (n + k) & 1);
         const int32_t across = is_row_known ? find_node_bend(r, r->row[k][n], r->row[k][n + 1], r->row[k][n + 2])
                                             : INT32_MAX,
                       down = is_column_known ? find_node_bend(r, r->row[0][n + k], r->row[1][n + k], r->row[2][n + k])
                                              : INT32_MAX;
-        is_bent |= glint_most(across, down) > CLOSE_OF_8 ? 16 : 0;
-        if (across > CLOSE_OF_4)
+        is_bent |= glint_most(across, down) > MOST_BEND_OF_8 ? 16 : 0;
+        if (across > MOST_BEND_OF_4)
             bent |= of_row[k];
-        if (down > CLOSE_OF_4)
+        if (down > MOST_BEND_OF_4)
             bent |= of_column[k];
     }
     if ((r->above[0] | r->above[1] | r->above[2]) >> n & 7 && cell_is_saturated(r, n))
@@ -245,7 +252,7 @@ static uint32_t find_bent(const cell_rows *r, uint32_t n) {
     return bent | is_bent;
 }
 
-/* Draws a cell from its first node on. */
+/* Draws the cell at column x and row y: as a whole, or square by square. */
 static void draw_cell(cell_rows *r, uint32_t x, uint32_t y) {
     const uint32_t n = x / NODE_STEP, bent = find_bent(r, n);
     if (!bent) {
@@ -269,7 +276,7 @@ static void draw_cell(cell_rows *r, uint32_t x, uint32_t y) {
         glint_light_listed(r->walk);
 }
 
-/* Draws the cells of a row. */
+/* Draws a row of cells: lights the nodes of those that are visible, and draws them. */
 static void draw_cell_row(cell_rows *r, uint32_t y) {
     const glint_lamp_list *list = r->walk->list;
     uint32_t left = GLINT_TILE_MAX, right = 0, seen = 0, nodes = 0;
@@ -295,7 +302,7 @@ static void draw_cell_row(cell_rows *r, uint32_t y) {
             draw_cell(r, x, y);
 }
 
-/* The levels of the format's channels. */
+/* Sets the numbers that depend on the format's channels. */
 static void set_cell_levels(cell_rows *r) {
     const glint_format *format = r->walk->frame->config.format;
     for (int c = 0; c < 3; c++) {

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Lamps: lights each fragment by any lights; lamps.h. */
+/* Lamps: sets the lights of a draw, lists the fragments of triangles, and stores them once they are lit; lamps.h. */
 #include "lamps.h"
 
 #include "../math/division.h"
@@ -10,20 +10,20 @@
 /* ---- A draw's lights ---- */
 
 /*
- * Exponents from which on cosines of 15 bits are too coarse for a highlight around the half vector: off by 2^-14, they
- * make it p 2^-14 more or less, which is to be a part of a level.
+ * Cosines of 15 bits are too coarse for highlights around the half vector from this exponent on. They are off by up to
+ * 2^-14, so that a highlight of exponent p is off by up to p 2^-14, which should stay well below a level.
  */
 #define NARROW_EXPONENT (120 * GLINT_ONE)
 
-/* Brings a weight, Q12, to levels of so many bits. */
-static int32_t lamp_weight(uint32_t weight, unsigned bits, unsigned headroom) {
+/* Returns a weight, Q12, in levels of `bits` bits, scaled by 2^-headroom and rounded. */
+static int32_t weight_in_levels(uint32_t weight, unsigned bits, unsigned headroom) {
     const uint32_t scaled = bits ? weight - ((weight + (1u << (bits - 1))) >> bits) : weight;
     return (int32_t)((scaled + (1u << headroom >> 1)) >> headroom);
 }
 
 /*
- * Returns by how much colours are to be less, as a power of two, so that their sum stays below 15; below 7 where it is
- * multiplied by a fragment's own, in 32 bits.
+ * Returns the least n for which colours scaled by 2^-n have a sum below 15, or below 7 if the surface has colours of
+ * its own: 32 bits then hold the sum, and its product with these.
  */
 static unsigned find_headroom(const glint_shading *shading, int has_colours) {
     unsigned headroom = 0;
@@ -39,23 +39,24 @@ static unsigned find_headroom(const glint_shading *shading, int has_colours) {
     return headroom;
 }
 
-static void set_colours_of(glint_lamps *lamps, const glint_frame *frame) {
+/* Sets half a level, ambient light, and the colour that fragments begin with. */
+static void set_colours(glint_lamps *lamps, const glint_frame *frame) {
     const glint_shading *shading = lamps->shading;
     const uint8_t *bits = frame->config.format->channel;
     const int is_last = !lamps->headroom && !lamps->takes_most && !lamps->has_colours;
     for (int c = 0; c < 3; c++) {
-        const unsigned b = frame->config.gamma ? 0 : bits[c];
+        const unsigned level_bits = frame->config.gamma ? 0 : bits[c];
         const int32_t ambient = (int32_t)((shading->ambient[c] < 15u << 23 ? shading->ambient[c] : 15u << 23) << 4);
-        lamps->half[c] = glint_to_levels(0, b);
-        lamps->base[c] = glint_to_levels(ambient, b) - (is_last ? 0 : lamps->half[c]);
+        lamps->half[c] = glint_to_levels(0, level_bits);
+        lamps->base[c] = glint_to_levels(ambient, level_bits) - (is_last ? 0 : lamps->half[c]);
         lamps->base[c] = glint_shift_right(lamps->base[c], lamps->headroom);
         lamps->first[c] = lamps->takes_most ? 0 : lamps->base[c];
     }
 }
 
 /*
- * Chooses which highlights and ways are found with all bits. Cosines of 15 bits make others off by up to p / (1 + L.V)
- * steps of 2^-15.
+ * Sets which highlights and ways are found with all bits. The other highlights are off by up to p / (1 + L.V) steps of
+ * 2^-15, as their cosines have 15 bits.
  */
 static void set_highlights(glint_lamps *lamps, int has_8_bits) {
     const int32_t p = glint_shift_right(glint_least(lamps->shading->power.exponent, NARROW_EXPONENT), 16);
@@ -68,10 +69,11 @@ static void set_highlights(glint_lamps *lamps, int has_8_bits) {
     lamps->power = power->value;
     lamps->power_up = (31 - power->index_shift) & 31;
     lamps->cut = 2 * (uint32_t)glint_most(power->cosine_square_floor, 0);
-    lamps->least_whole = glint_most(1 << 10, p << 8);
-    lamps->usual_whole = lamps->is_rare ? INT32_MAX : lamps->least_whole;
+    lamps->least_half_square = glint_most(1 << 10, p << 8);
+    lamps->usual_half_square = lamps->is_rare ? INT32_MAX : lamps->least_half_square;
 }
 
+/* Sets the numbers of a lamp that depend on its light alone. */
 static GLINT_INLINE void set_source(glint_drawn_lamp *to, const glint_prepared_light *source) {
     to->source = source;
     to->has_cone = source->type->has_cone;
@@ -86,7 +88,7 @@ static GLINT_INLINE void set_source(glint_drawn_lamp *to, const glint_prepared_l
     to->weakens = 0;
 }
 
-/* How much of N.D rounding may be, and whether D is near is not known. */
+/* N.D may be off by this, whatever the length of D. */
 #define GATE_MARGIN (4 << 15)
 
 /* Sets the lights of a draw in the walk's tile. */
@@ -119,7 +121,7 @@ static GLINT_NOINLINE void set_lamps(glint_row_walk *walk) {
     lamps->x = (frame->config.width - glint_shift_right(window->left, 3)) * view->ray_scale + half;
     lamps->y = (glint_shift_right(window->top, 3) - frame->config.height) * view->ray_scale + half;
     lamps->z = (int32_t)glint_shift_right64(glint_product(view->focal, view->ray_scale), 12) + half;
-    set_colours_of(lamps, frame);
+    set_colours(lamps, frame);
     lamps->is_mixed = lamps->has_colours | lamps->takes_most | (lamps->headroom != 0);
     const uint32_t lights = shading->lights & ~draw->unreached;
     for (uint32_t i = 0; lights >> i; i++) {
@@ -129,10 +131,10 @@ static GLINT_NOINLINE void set_lamps(glint_row_walk *walk) {
         set_source(to, source);
         to->shines = shading->has_specular >> i & 1;
         for (int c = 0; c < 3; c++) {
-            const unsigned b = frame->config.gamma ? 0 : bits[c];
-            to->diffuse[c] = lamp_weight(shading->weights[i].diffuse[c], b, lamps->headroom);
-            to->specular[c] = lamp_weight(shading->weights[i].specular[c], b, lamps->headroom);
-            to->at[c] = source->direction[c] + glint_shift_right(source->direction[c], 13);
+            const unsigned level_bits = frame->config.gamma ? 0 : bits[c];
+            to->diffuse[c] = weight_in_levels(shading->weights[i].diffuse[c], level_bits, lamps->headroom);
+            to->specular[c] = weight_in_levels(shading->weights[i].specular[c], level_bits, lamps->headroom);
+            to->place[c] = source->direction[c] + glint_shift_right(source->direction[c], 13);
         }
         lamps->has_gloss |= to->shines;
         if (to->has_place) {
@@ -146,14 +148,14 @@ static GLINT_NOINLINE void set_lamps(glint_row_walk *walk) {
 
 /* ---- Fragments ---- */
 
-GLINT_NOINLINE uint32_t glint_lengthen_view(glint_lit_view *s, uint32_t square) {
+GLINT_NOINLINE uint32_t glint_lengthen_view(glint_lit_view *view, uint32_t square) {
     const unsigned up = (glint_leading_zeros(square | 1) - 2) >> 1;
     for (int c = 0; c < 3; c++)
-        s->v[c] = glint_shift_left(s->v[c], up);
+        view->v[c] = glint_shift_left(view->v[c], up);
     return square << 2 * up;
 }
 
-/* Sets which 1/w are of the lamps' unit; where rays are parallel, none. */
+/* Sets the octave of 1/w that fits the lamps' unit; there is none where rays are parallel. */
 static void set_octave(const glint_row_walk *walk) {
     glint_lamps *lamps = walk->workspace->lamps;
     lamps->up = (uint32_t)(16 - lamps->unit) - walk->list->room;
@@ -170,7 +172,6 @@ void glint_set_lamps_unit(const glint_row_walk *walk, int32_t unit) {
     set_octave(walk);
 }
 
-/* Lights the fragments of the list, and stores them. */
 GLINT_NOINLINE void glint_light_listed(const glint_row_walk *walk) {
     glint_lamp_list *list = walk->list;
     const glint_config *config = &walk->frame->config;
@@ -185,37 +186,38 @@ GLINT_NOINLINE void glint_light_listed(const glint_row_walk *walk) {
 
 /* ---- Triangles ---- */
 
-/* x 2^n modulo 2^32. */
+/* Returns x 2^n modulo 2^32, rounded down. */
 static inline uint32_t scale_slope(int32_t x, int32_t n) {
     return n < 0 ? (uint32_t)glint_shift_right(x, (unsigned)-n) : (uint32_t)x << n;
 }
 
-/* Returns a sum of products of differences, Q18, times 1/area in 16 bits. */
+/* Returns a sum of products of differences, Q18, times 1/area of 16 bits. */
 static inline int32_t divide_by_area(int32_t sum, const glint_area *area) {
     return glint_shift_right(sum, 15) * area->reciprocal +
            (int32_t)((uint32_t)((sum & 0x7fff) * area->reciprocal) >> 15);
 }
 
 /* Returns the sides of a small triangle. */
-static inline glint_sides sides_of(const glint_corners *k) {
-    return (glint_sides){glint_x_of(k->b) - glint_x_of(k->a), glint_y_of(k->b) - glint_y_of(k->a),
-                         glint_x_of(k->c) - glint_x_of(k->a), glint_y_of(k->c) - glint_y_of(k->a)};
+static inline glint_sides sides_of(const glint_corners *corners) {
+    return (glint_sides){
+        glint_x_of(corners->b) - glint_x_of(corners->a), glint_y_of(corners->b) - glint_y_of(corners->a),
+        glint_x_of(corners->c) - glint_x_of(corners->a), glint_y_of(corners->c) - glint_y_of(corners->a)};
 }
 
-/* Returns the order in which set_plane takes a triangle's corners. */
+/* Returns the numbers of a triangle's corners, in the order that set_plane expects. */
 static inline const uint8_t *order_of(const glint_row_walk *walk) {
     static const uint8_t next[5] = {0, 1, 2, 0, 1};
     return &next[walk->has_slopes ? walk->corners.top : 0];
 }
 
 /*
- * Sets the plane of an attribute, from the tile's first pixel on. Slopes of small triangles are sums of products
- * without rounding, of differences of 18 bits, times 1/area in 16 bits: at a pixel of the triangle the plane is off by
- * 2^-15 of the corners' difference.
+ * Sets the plane of an attribute that is a, b, c at the corners; it starts at the tile's first pixel. For small
+ * triangles, slopes are exact sums of products, of differences of 18 bits, times 1/area of 16 bits: at a pixel of the
+ * triangle the plane is off by at most 2^-15 of the corners' difference.
  */
 static inline void set_plane(const glint_row_walk *walk, const glint_sides *sides, glint_plane *to, int32_t a,
                              int32_t b, int32_t c) {
-    const glint_corners *k = &walk->corners;
+    const glint_corners *corners = &walk->corners;
     if (!walk->has_slopes) {
         glint_plane_begin(to, &walk->part->gradients, a, b, c);
         to->start = glint_plane_at(to, walk->part->x, walk->part->y);
@@ -225,11 +227,11 @@ static inline void set_plane(const glint_row_walk *walk, const glint_sides *side
     const uint32_t zeros = glint_leading_zeros(glint_magnitude_bits(to_b) | glint_magnitude_bits(to_c));
     const uint32_t down = zeros < 14 ? 14 - zeros : 0;
     const int32_t d1 = glint_shift_right(to_b, down), d2 = glint_shift_right(to_c, down);
-    const int32_t x = divide_by_area(d2 * sides->dy1 - d1 * sides->dy2, &k->area),
-                  y = divide_by_area(d1 * sides->dx2 - d2 * sides->dx1, &k->area);
-    const int32_t to_center =
-        glint_shift_right(x, 5) * (~glint_x_of(k->a) & 15) + glint_shift_right(y, 5) * (~glint_y_of(k->a) & 15);
-    const int32_t up = (int32_t)(k->area.zeros + down) - 28;
+    const int32_t x = divide_by_area(d2 * sides->dy1 - d1 * sides->dy2, &corners->area),
+                  y = divide_by_area(d1 * sides->dx2 - d2 * sides->dx1, &corners->area);
+    const int32_t to_center = glint_shift_right(x, 5) * (~glint_x_of(corners->a) & 15) +
+                              glint_shift_right(y, 5) * (~glint_y_of(corners->a) & 15);
+    const int32_t up = (int32_t)(corners->area.zeros + down) - 28;
     to->dx = (int32_t)scale_slope(x, up);
     to->dy = (int32_t)scale_slope(y, up);
     to->start =
@@ -247,36 +249,35 @@ void glint_set_fine_w(glint_row_walk *walk) {
     walk->list->has_w = 1;
 }
 
-/* A corner's attributes, and 1/w of 15 bits and 15 more. */
+/* A corner's attributes, and 1/w of 30 bits in two halves. */
 typedef struct weighed_corner {
-    const int16_t *of;
+    const int16_t *attributes;
     int32_t high, low;
 } weighed_corner;
 
-static inline weighed_corner weigh_corner(const glint_row_walk *walk, const int16_t *of, uint32_t corner,
+static inline weighed_corner weigh_corner(const glint_row_walk *walk, const int16_t *attributes, uint32_t corner,
                                           int32_t sign) {
     const uint32_t w = (uint32_t)walk->triangle.corners[corner]->inverse_w << walk->list->up;
-    return (weighed_corner){of, sign * (int32_t)(w >> 16), sign * (int32_t)(w >> 1 & 0x7fff)};
+    return (weighed_corner){attributes, sign * (int32_t)(w >> 16), sign * (int32_t)(w >> 1 & 0x7fff)};
 }
 
-/* Returns an attribute of 15 bits over w, 30 bits: also a corner's whose 1/w is a small part of the nearest one's. */
-static inline int32_t attribute_of(const weighed_corner *corner, int c) {
-    return corner->of[c] * corner->high + glint_shift_right(corner->of[c] * corner->low, 15);
+/* Returns an attribute of 15 bits over w, 30 bits: precise also at a corner that is much farther than the nearest. */
+static inline int32_t attribute_over_w(const weighed_corner *corner, int c) {
+    return corner->attributes[c] * corner->high + glint_shift_right(corner->attributes[c] * corner->low, 15);
 }
 
-/* Sets the planes of three attributes over w. */
-static GLINT_NOINLINE void set_planes(const glint_row_walk *walk, glint_plane planes[3], const int16_t *const of[3],
-                                      int32_t sign) {
+/* Sets the planes of three attributes over w, times `sign`. */
+static GLINT_NOINLINE void set_planes(const glint_row_walk *walk, glint_plane planes[3],
+                                      const int16_t *const attributes[3], int32_t sign) {
     const glint_sides sides = sides_of(&walk->corners);
     const uint8_t *from = order_of(walk);
-    const weighed_corner p = weigh_corner(walk, of[from[0]], from[0], sign),
-                         q = weigh_corner(walk, of[from[1]], from[1], sign),
-                         r = weigh_corner(walk, of[from[2]], from[2], sign);
+    const weighed_corner p = weigh_corner(walk, attributes[from[0]], from[0], sign),
+                         q = weigh_corner(walk, attributes[from[1]], from[1], sign),
+                         r = weigh_corner(walk, attributes[from[2]], from[2], sign);
     for (int c = 0; c < 3; c++)
-        set_plane(walk, &sides, &planes[c], attribute_of(&p, c), attribute_of(&q, c), attribute_of(&r, c));
+        set_plane(walk, &sides, &planes[c], attribute_over_w(&p, c), attribute_over_w(&q, c), attribute_over_w(&r, c));
 }
 
-/* Draws a span: lists the fragments that pass the depth test. */
 void glint_list_span(glint_row_walk *walk, int32_t row, int32_t left, int32_t right) {
     glint_lamp_list *const list = walk->list;
     glint_lit_fragment *f = &list->fragment[list->count];
@@ -307,15 +308,15 @@ void glint_list_span(glint_row_walk *walk, int32_t row, int32_t left, int32_t ri
     list->count = (uint32_t)(f - list->fragment);
 }
 
-/* May a plane leave 32 bits a few pixels beyond a triangle? */
+/* Returns whether a plane may exceed 32 bits a few pixels outside of the triangle. */
 static inline int is_steep_plane(const glint_plane *p) {
     const int32_t most = 1 << 25;
     return p->dx > most || p->dx < -most || p->dy > most || p->dy < -most;
 }
 
 /*
- * May light be found at nodes? Of a large triangle, whose planes keep in 32 bits as far as nodes lie outside of it, and
- * where no highlight is so narrow that it is lost between them.
+ * Returns whether light may be interpolated between nodes of cells: the triangle is large, its planes keep within 32
+ * bits as far outside of it as nodes lie, and no highlight is so narrow that nodes miss it.
  */
 static int may_have_cells(const glint_row_walk *walk) {
     const glint_vertex *const *v = walk->triangle.corners;
@@ -345,17 +346,16 @@ GLINT_NOINLINE void glint_begin_lamp_list(glint_row_walk *walk) {
         set_planes(walk, list->surface, walk->triangle.extra, 1);
 }
 
-/* N.D of a corner that faces a light by less than this part of a step is not taken for one that faces away. */
+/* Corners count as facing away from a light if N.D is below 0 by this or more: rounding is less. */
 #define DARK_MARGIN (16 << 14)
 
 /*
- * May a triangle face a light? N.D over w^2 is a quadratic on the screen, between the products of all corners' N and D.
- * It is below 0 where they are.
+ * Returns whether some fragment of a triangle may face a light. N.D over w^2 is a quadratic on the screen, whose values
+ * lie between the nine products of the corners' N and the corners' D: it is below 0 everywhere if all these are.
  */
 static int may_face(const glint_row_walk *walk, const glint_drawn_lamp *lamp, const int32_t e[3][3]) {
     for (int j = 0; j < 3; j++) {
-        const int32_t *const at = lamp->at;
-        int32_t x = at[0], y = at[1], z = at[2];
+        int32_t x = lamp->place[0], y = lamp->place[1], z = lamp->place[2];
         if (lamp->has_place) {
             x += glint_shift_right(e[j][0], lamp->down);
             y += glint_shift_right(e[j][1], lamp->down);
@@ -372,10 +372,10 @@ static int may_face(const glint_row_walk *walk, const glint_drawn_lamp *lamp, co
     return 0;
 }
 
-/* Pixels of a triangle from which on looking which lights it may face costs less than what it leaves out. */
+/* In triangles of this many pixels, skipping lights that they do not face saves more than finding these costs. */
 #define FACING_LEAST 32
 
-/* Finds which lights a triangle may face. */
+/* Lists the lights that a triangle may face. */
 static GLINT_NOINLINE void find_faced(const glint_row_walk *walk) {
     const glint_vertex *const *v = walk->triangle.corners;
     glint_lamps *lamps = walk->workspace->lamps;
@@ -385,10 +385,10 @@ static GLINT_NOINLINE void find_faced(const glint_row_walk *walk) {
     const int has_ways = zeros >= 0;
     if (has_ways)
         glint_set_lamps_unit(walk, 16 - zeros);
-    lamps->along = lamps->places = 0;
+    lamps->directional = lamps->positional = 0;
     for (glint_drawn_lamp *lamp = lamps->lamps + lamps->count; lamp != lamps->lamps;) {
         lamp--;
-        const glint_drawn_lamp **first = GLINT_SMALL || lamp->has_place ? &lamps->places : &lamps->along;
+        const glint_drawn_lamp **first = GLINT_SMALL || lamp->has_place ? &lamps->positional : &lamps->directional;
         if (looks && (has_ways || !lamp->has_place) && !may_face(walk, lamp, (const int32_t(*)[3])e))
             continue;
         lamp->next = *first;
@@ -396,6 +396,7 @@ static GLINT_NOINLINE void find_faced(const glint_row_walk *walk) {
     }
 }
 
+/* Sets the lights and planes of a triangle that is visible, and chooses what draws its spans. */
 static GLINT_NOINLINE void begin_list(glint_row_walk *walk) {
     const glint_triangle *triangle = &walk->triangle;
     const glint_vertex *const *v = triangle->corners;
@@ -410,12 +411,12 @@ static GLINT_NOINLINE void begin_list(glint_row_walk *walk) {
     }
     set_planes(walk, walk->channel, normals, triangle->back ? -1 : 1);
     for (int c = 0; c < 3; c++)
-        walk->channel[c].start = glint_add_wrap(walk->channel[c].start, 1 << 14); /* what is cut off rounds */
+        walk->channel[c].start = glint_add_wrap(walk->channel[c].start, 1 << 14); /* cutting off 15 bits rounds */
     find_faced(walk);
     walk->draw_span = may_have_cells(walk) ? glint_keep_span : glint_list_span;
 }
 
-/* Looks for the first pixel that passes the depth test: what is hidden costs no more. */
+/* Draws spans until a pixel passes the depth test: triangles that are hidden need no set-up of lights. */
 static void find_visible_fragment(glint_row_walk *walk, int32_t row, int32_t left, int32_t right) {
     const uint16_t *depth = walk->depth + ((uint32_t)row << walk->shift) + left;
     uint32_t z = glint_z_at(walk, row, left);
@@ -426,6 +427,7 @@ static void find_visible_fragment(glint_row_walk *walk, int32_t row, int32_t lef
     walk->draw_span(walk, row, left, right);
 }
 
+/* Draws the first span of a triangle. */
 static void begin_fragments(glint_row_walk *walk, int32_t row, int32_t left, int32_t right) {
     glint_begin_depth(walk);
     walk->draw_span = find_visible_fragment;
