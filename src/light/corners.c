@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Corners: light at vertices (Gouraud, 1971) and at facets. Colours, clamped at 1, are found once a vertex or facet
- * that is seen. Three steps: an object's lights, a point's light, and the two evaluations.
+ * Corners: light at vertices (Gouraud, 1971) and at facets. The colour of each vertex or facet that is visible is
+ * computed once, and clamped at 1. The file has three parts: the lights of an object, the light of a point, and the two
+ * evaluations.
  */
 #include "corners.h"
 
@@ -11,6 +12,7 @@
 
 /* ---- An object's lights ---- */
 
+/* Turns a vector of the world. @return n: the turned vector is 2^n times the result */
 static int32_t turn_vector(const glint_corner_space *space, const int64_t world[3], int32_t to[3]) {
     int32_t reduced[3];
     int64_t sum[3];
@@ -21,7 +23,7 @@ static int32_t turn_vector(const glint_corner_space *space, const int64_t world[
     return (int32_t)(down + glint_reduce(sum, to));
 }
 
-/* Brings nine numbers to 30 bits. @return n: they are 2^n times the result */
+/* Scales a matrix by a power of two, to 30 bits. @return n: the matrix is 2^n times the result */
 static int32_t reduce_matrix(int64_t in[3][3], int32_t out[3][3]) {
     uint64_t all = 0;
     for (int i = 0; i < 3; i++)
@@ -36,9 +38,9 @@ static int32_t reduce_matrix(int64_t in[3][3], int32_t out[3][3]) {
 }
 
 /*
- * Are the columns of a matrix perpendicular and as long as each other, to within 2^-13 of their squares? Cosines are
- * then kept to within 2^-14. Of each entry 15 bits count: rounding them adds up to 2^15. Modulo 2^32, below which all
- * squares and differences are.
+ * Returns whether the columns of a matrix are perpendicular and equally long, to within 2^-13 of their squares: then it
+ * preserves cosines to within 2^-14. Entries are rounded to 15 bits, for which 2^15 is added to the tolerance. Sums are
+ * modulo 2^32, as all squares and differences are below it.
  */
 static int has_even_columns(int32_t m[3][3]) {
     int32_t column[3][3];
@@ -61,8 +63,8 @@ static int has_even_columns(int32_t m[3][3]) {
 }
 
 /*
- * The object's own space: places are extents times steps, and what is outside is turned by the transpose of the pose's
- * matrix M, so that all is |column of M|^2 times as large.
+ * Sets the mesh's own space: places of points are extents times steps, and vectors of the world are turned by the
+ * transpose of the pose's matrix M. As M scales too, places have to be multiplied by |column of M|^2.
  */
 static void set_even_space(glint_corner_space *space, glint_corner_lights *to, int32_t m[3][3], int32_t m_exponent,
                            const glint_vector *extent) {
@@ -75,7 +77,7 @@ static void set_even_space(glint_corner_space *space, glint_corner_lights *to, i
             space->turn[j][i] = m[i][j];
     }
     const unsigned down =
-        (glint_bits64(square) - 29) & ~1u; /* the square has 57 bits or more, of it 29 or 30 are left */
+        (glint_bits64(square) - 29) & ~1u; /* the square has 57 bits or more, of which 29 or 30 are left */
     const int32_t scale = (int32_t)(square >> down);
     space->inverse = (uint32_t)glint_inverse_root((uint32_t)scale); /* times UNIT / 2^15 */
     space->inverse += space->inverse >> 13;
@@ -90,11 +92,11 @@ static void set_even_space(glint_corner_space *space, glint_corner_lights *to, i
         to->matrix[j][j] = glint_least(entry, 32766);
         space->range[j] = to->matrix[j][j] << 15;
     }
-    /* M in Q16 is m 2^m_exponent, extents are Q16, steps are over 2^15: Q28 of what is turned by m */
+    /* M in Q16 is m 2^m_exponent, extents are Q16, steps are Q15, and vectors turned by m are Q28 */
     space->exponent = (int32_t)(cut + down) + m_exponent - 19;
 }
 
-/* The camera's space, where scaling is uneven: places are turned steps. */
+/* Sets the camera's space, where the pose scales unevenly: a matrix brings steps to places. */
 static void set_camera_space(glint_corner_space *space, glint_corner_lights *to, const glint_view *view,
                              const glint_pose *pose, const glint_vector *extent) {
     const int32_t extents[3] = {extent->x, extent->y, extent->z};
@@ -132,6 +134,7 @@ static void set_camera_space(glint_corner_space *space, glint_corner_lights *to,
     space->exponent = (int32_t)cut + down - 19;
 }
 
+/* Chooses and sets the space in which an object is lit. */
 static void set_space(glint_corner_space *space, glint_corner_lights *to, const glint_view *view,
                       const glint_object *object) {
     const glint_mesh *mesh = object->mesh;
@@ -153,7 +156,7 @@ static void set_space(glint_corner_space *space, glint_corner_lights *to, const 
         set_camera_space(space, to, view, &object->pose, &mesh->extent);
 }
 
-/* Brings a place of the world, Q16, to an object's space. @return its shift, which may be more than 31 */
+/* Transforms a place of the world, Q16, to an object's space. @return its shift, which may be more than 31 */
 static int32_t bring_place(const glint_corner_space *space, const int32_t world[3], glint_corner_place *to) {
     int64_t way[3];
     uint32_t most = 0;
@@ -172,6 +175,7 @@ static int32_t bring_place(const glint_corner_space *space, const int32_t world[
     return shift;
 }
 
+/* Transforms a vector of the world, and makes it unit, 1 = GLINT_UNIT. */
 static void bring_direction(const glint_corner_space *space, const int64_t world[3], int32_t to[3]) {
     int32_t exponent;
     turn_vector(space, world, to);
@@ -184,6 +188,7 @@ void glint_corner_towards(const glint_corner_space *space, const glint_light *li
     bring_direction(space, towards, to);
 }
 
+/* Transforms the place or the direction of a light. */
 static void bring_light(const glint_corner_space *space, const glint_light *light, glint_corner_light *to) {
     const int32_t position[3] = {light->position.x, light->position.y, light->position.z};
     if (light->type->bring)
@@ -192,7 +197,7 @@ static void bring_light(const glint_corner_space *space, const glint_light *ligh
         glint_corner_towards(space, light, to->place.at);
 }
 
-/* Sets products of two extents, the largest brought to 30 bits. */
+/* Sets the products of two extents, scaled so that the largest has 30 bits. */
 static void set_areas(const glint_vector *extent, int32_t area[3]) {
     const uint32_t e[3] = {(uint32_t)extent->x, (uint32_t)extent->y, (uint32_t)extent->z};
     const uint64_t areas[3] = {glint_product_unsigned(e[1], e[2]), glint_product_unsigned(e[2], e[0]),
@@ -202,7 +207,7 @@ static void set_areas(const glint_vector *extent, int32_t area[3]) {
         area[i] = (int32_t)(areas[i] << up >> 34);
 }
 
-/* Brings the lights that reach an object to its space. Where there are none, the space is not needed. */
+/* Sets the lights that reach an object, in its space. Without lights no space is set. */
 static void bring_lights(const glint_frame *frame, const glint_draw *draw, glint_corner_lights *to) {
     const glint_shading *shading = draw->shading;
     const uint32_t lights = shading->lights & ~draw->unreached, flags = shading->material->flags;
@@ -243,7 +248,7 @@ static void bring_lights(const glint_frame *frame, const glint_draw *draw, glint
     }
 }
 
-/* The lights of a draw's object: those of the last one lit, or brought now. */
+/* Returns the lights of a draw's object, which are set now unless the last corner belongs to the same object. */
 static inline const glint_corner_lights *lights_of(const glint_frame *frame, const glint_draw *draw) {
     glint_corner_lights *lights = frame->corners;
     if (lights->object != draw->object + 1)
@@ -260,7 +265,7 @@ static inline void add_weighted(uint32_t colour[3], uint32_t amount, const uint3
     colour[2] += amount * weight[2] >> 4;
 }
 
-/* Adds what all lights give to a point: diffuse light, and specular light apart, Q23. They may be one. */
+/* Adds the diffuse and the specular light that all lights give to a point, Q23; both sums may be the same array. */
 static GLINT_NOINLINE void add_point_lights(const glint_corner_lights *lights, const glint_lit_point *point,
                                             uint32_t diffuse[3], uint32_t specular[3]) {
     const glint_corner_light *light = lights->lights, *const end = light + lights->count;
@@ -280,7 +285,7 @@ static GLINT_NOINLINE void add_point_lights(const glint_corner_lights *lights, c
         } else {
             cosine = glint_shift_right(glint_dot32(point->normal, direction), 15);
         }
-        if (cosine > 0) { /* 1 is a part in 2^13 to 2^12 too small */
+        if (cosine > 0) { /* the cosine is one part in 2^13 to 2^12 too small */
             const uint32_t amount = (uint32_t)(cosine + glint_shift_right(cosine, 13));
             add_weighted(diffuse, amount * strength >> 15, light->weights->diffuse);
         } else if (light->is_gated) {
@@ -298,12 +303,13 @@ static GLINT_NOINLINE void add_point_lights(const glint_corner_lights *lights, c
     }
 }
 
-/* x times a surface's own channel, 1 = GLINT_COLOUR_ONE. */
+/* Returns x times a channel of the surface's own colour, 1 = GLINT_COLOUR_ONE. */
 static uint32_t times_own(uint32_t x, int16_t surface) {
     return (uint32_t)(glint_product_unsigned(x, (uint32_t)surface + 1) >> 15);
 }
 
-/* Lights a point that has a colour of its own, or takes the larger of ambient light and all other. */
+/* Finds the colour of a point, Q23, whose ambient, diffuse and specular light have to be kept apart: it has a colour of
+ * its own, or takes the larger of ambient and all other light. */
 static GLINT_NOINLINE void light_apart(const glint_corner_lights *lights, const glint_lit_point *point,
                                        const int16_t *surface, uint32_t colour[3]) {
     uint32_t diffuse[3] = {0, 0, 0}, specular[3] = {0, 0, 0};
@@ -320,7 +326,7 @@ static GLINT_NOINLINE void light_apart(const glint_corner_lights *lights, const 
     }
 }
 
-/* Finds a point's colour, Q23; `surface` is its own, or null. */
+/* Finds the colour of a point, Q23; `surface` is its own colour, or null. */
 static inline void light_point(const glint_corner_lights *lights, const glint_lit_point *point, const int16_t *surface,
                                uint32_t colour[3]) {
     const uint32_t *const ambient = lights->shading->ambient;
@@ -337,13 +343,13 @@ static inline void light_point(const glint_corner_lights *lights, const glint_li
 
 /* ---- Points of meshes ---- */
 
-/* Lengths of a mesh's normals, in steps from 32767, that count as 1; as squares, and how far they may be apart. */
+/* Normals of a mesh count as unit if their length lies between these. */
 #define LEAST_UNIT 32761
 #define MOST_UNIT 32769
 #define LEAST_UNIT_SQUARE ((uint32_t)LEAST_UNIT * LEAST_UNIT)
 #define UNIT_SQUARES ((uint32_t)MOST_UNIT * MOST_UNIT - LEAST_UNIT_SQUARE)
 
-/* Sets a point's normal to that of a mesh: of any length, below 2^15 where the space is uneven. */
+/* Sets a point's normal, unit, from a normal of the mesh that has any length, below 2^15 if the space is uneven. */
 static inline void set_point_normal(const glint_draw *draw, const glint_corner_lights *lights, int32_t x, int32_t y,
                                     int32_t z, glint_lit_point *point) {
     int32_t *const n = point->normal, exponent;
@@ -360,7 +366,7 @@ static inline void set_point_normal(const glint_draw *draw, const glint_corner_l
     glint_corner_unit(n, &exponent);
 }
 
-/* Sets a point's place from its steps. */
+/* Sets a point's place from its position in steps of the mesh. */
 static inline void set_point_place(const glint_corner_lights *lights, int32_t x, int32_t y, int32_t z,
                                    glint_lit_point *point) {
     const int32_t(*m)[3] = lights->matrix;
@@ -376,7 +382,7 @@ static inline void set_point_place(const glint_corner_lights *lights, int32_t x,
 
 /* ---- Vertices ---- */
 
-/* Sets a point to a vertex of the mesh. */
+/* Sets a point to the place and the normal of a vertex. */
 static inline void set_point_to_vertex(const glint_draw *draw, const glint_corner_lights *lights, uint32_t index,
                                        glint_lit_point *point) {
     const glint_mesh *mesh = lights->mesh;
@@ -390,7 +396,7 @@ static inline void set_point_to_vertex(const glint_draw *draw, const glint_corne
     set_point_normal(draw, lights, normal[0], normal[1], normal[2], point);
 }
 
-/* Lights vertex `slot` of a draw; of a double-sided mesh also as it is seen from behind. */
+/* Finds the colour of vertex `slot` of a draw, and of double-sided meshes also its colour from behind. */
 static void light_one_vertex(const glint_frame *frame, const glint_draw *draw, const glint_corner_lights *lights,
                              uint32_t slot) {
     glint_vertex *vertex = &draw->vertices[slot];
@@ -400,7 +406,7 @@ static void light_one_vertex(const glint_frame *frame, const glint_draw *draw, c
     const int16_t *surface = 0;
     if (lights->count)
         set_point_to_vertex(draw, lights, (uint16_t)vertex->attribute[0], &point);
-    if (lights->has_colours) { /* the back's colour takes their place */
+    if (lights->has_colours) { /* they are copied, as the colour from behind is stored in their place */
         for (int c = 0; c < 3; c++)
             own[c] = draw->extra[slot][c];
         surface = own;
@@ -416,6 +422,7 @@ static void light_one_vertex(const glint_frame *frame, const glint_draw *draw, c
     glint_finish_corner(&frame->config, colour, draw->extra[slot]);
 }
 
+/* Lights the vertices of a triangle that are not lit yet. */
 static void light_corners(const glint_frame *frame, glint_draw *draw, const glint_transform *transform,
                           uint32_t triangle) {
     const uint16_t *corners = draw->triangles[triangle];
@@ -432,19 +439,19 @@ const glint_evaluation glint_per_vertex = {
 /* ---- Facets ---- */
 
 /*
- * Multiplies a product of edges in steps by the extents of the other two axes: the normal in the mesh's space. Out of
- * line, as extents of many meshes are the same.
+ * Turns a cross product of edges in steps into the normal in the mesh's space, by multiplying each component by the
+ * product of the other two extents. It is not inlined, as most meshes have equal extents.
  */
 static GLINT_NOINLINE void stretch_normal(const int32_t area[3], int32_t normal[3]) {
     const unsigned zeros = glint_leading_zeros(glint_magnitude_bits(normal[0]) | glint_magnitude_bits(normal[1]) |
                                                glint_magnitude_bits(normal[2]));
-    for (int i = 0; i < 3; i++) /* all bits that the largest leaves */
+    for (int i = 0; i < 3; i++) /* the shift uses all bits */
         normal[i] = glint_product_high(area[i], glint_shift_left(normal[i], zeros - 1));
 }
 
 /*
- * Finds b x c of edges between steps, of 16 bits and a sign, brought to 31 bits. Products are whole: those of a
- * sliver's edges are next to equal.
+ * Finds the cross product b x c of edges in steps, 16 bits and a sign, scaled to 31 bits. Products are exact, as those
+ * of a sliver's edges nearly cancel.
  */
 static inline void multiply_edges(int32_t bx, int32_t by, int32_t bz, int32_t cx, int32_t cy, int32_t cz,
                                   int32_t normal[3]) {
@@ -457,24 +464,26 @@ static inline void multiply_edges(int32_t bx, int32_t by, int32_t bz, int32_t cx
         glint_reduce(whole, normal);
         return;
     }
-    normal[0] = by * cz - bz * cy; /* of products of at most 2^30, one of them below */
+    normal[0] = by * cz - bz * cy; /* products are at most 2^30, and one of the two is below it */
     normal[1] = bz * cx - bx * cz;
     normal[2] = bx * cy - by * cx;
 }
 
-/* Is a clipped triangle seen from where its corners run clockwise? By the determinant of its clip coordinates. */
+/* Returns whether the corners of a clipped triangle run clockwise on the screen, by the determinant of its clip
+ * coordinates. */
 static int is_clockwise(const glint_view *view, const glint_position *const p[3]) {
     const int64_t ax = (int64_t)p[1]->x - p[0]->x, ay = (int64_t)p[1]->y - p[0]->y, aw = (int64_t)p[1]->w - p[0]->w;
     const int64_t bx = (int64_t)p[2]->x - p[0]->x, by = (int64_t)p[2]->y - p[0]->y, bw = (int64_t)p[2]->w - p[0]->w;
     const int64_t cross[3] = {ay * bw - aw * by, aw * bx - ax * bw, ax * by - ay * bx};
     int32_t c[3];
     glint_reduce(cross, c);
-    if (view->is_parallel) /* w is the same everywhere, and positions have something else there */
+    if (view->is_parallel) /* w is the same everywhere, and positions have a distance in its place */
         return c[2] > 0;
     return (int64_t)c[0] * p[0]->x + (int64_t)c[1] * p[0]->y + (int64_t)c[2] * p[0]->w > 0;
 }
 
-/* Does a triangle of a double-sided mesh show its back? What is drawn as a front is to be lit as one. */
+/* Returns whether a triangle of a double-sided mesh is seen from behind: by the same area that drawing uses, so that a
+ * triangle drawn as a front is lit as one. */
 static int shows_back(const glint_frame *frame, const glint_draw *draw, const uint16_t corners[3]) {
     const glint_vertex *const v[3] = {&draw->vertices[corners[0]], &draw->vertices[corners[1]],
                                       &draw->vertices[corners[2]]};
@@ -485,7 +494,7 @@ static int shows_back(const glint_frame *frame, const glint_draw *draw, const ui
     return is_clockwise(frame->view, p) != draw->mirrored;
 }
 
-/* Sets a point to a facet's centroid, with the normal of its plane towards the eye. */
+/* Sets a point to a facet's centroid, and its normal to that of the facet's plane, on the side towards the eye. */
 static inline void set_point_to_facet(const glint_frame *frame, const glint_draw *draw,
                                       const glint_corner_lights *lights, const uint16_t corners[3],
                                       glint_lit_point *point) {
@@ -496,7 +505,7 @@ static inline void set_point_to_facet(const glint_frame *frame, const glint_draw
         p[i] = glint_steps_of(lights->mesh, (uint16_t)draw->vertices[corners[i]].attribute[0], fetched[i]);
     const int32_t x = p[0][0], y = p[0][1], z = p[0][2], bx = p[1][0] - x, by = p[1][1] - y, bz = p[1][2] - z,
                   cx = p[2][0] - x, cy = p[2][1] - y, cz = p[2][2] - z;
-    /* a third is 21845 2^-16, and the product is below 2^31 */
+    /* 1/3 is 21845 2^-16, and the product is below 2^31 */
     set_point_place(lights, glint_shift_right((3 * x + bx + cx) * 21845, 16),
                     glint_shift_right((3 * y + by + cy) * 21845, 16), glint_shift_right((3 * z + bz + cz) * 21845, 16),
                     point);
@@ -510,6 +519,7 @@ static inline void set_point_to_facet(const glint_frame *frame, const glint_draw
             point->normal[i] = -point->normal[i];
 }
 
+/* Finds the colour of a facet, with the mean of its corners' own colours. */
 static void light_facet(const glint_frame *frame, glint_draw *draw, const glint_transform *transform,
                         uint32_t triangle) {
     const uint16_t *corners = draw->triangles[triangle];
@@ -524,9 +534,9 @@ static void light_facet(const glint_frame *frame, glint_draw *draw, const glint_
     if (lights->count)
         set_point_to_facet(frame, draw, lights, corners, &point);
     if (lights->has_colours) {
-        const int16_t(*const of)[3] = (const int16_t(*)[3])draw->extra;
+        const int16_t(*const own)[3] = (const int16_t(*)[3])draw->extra;
         for (int c = 0; c < 3; c++)
-            mean[c] = (int16_t)((of[corners[0]][c] + of[corners[1]][c] + of[corners[2]][c]) / 3);
+            mean[c] = (int16_t)((own[corners[0]][c] + own[corners[1]][c] + own[corners[2]][c]) / 3);
         surface = mean;
     }
     light_point(lights, &point, surface, colour);

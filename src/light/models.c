@@ -1,15 +1,15 @@
 /* SPDX-License-Identifier: MIT */
-/* Models: what a surface makes of light. */
+/* Models: how surfaces reflect light. */
 #include "corners.h"
 #include "lamps.h"
 
-/* The power table of a model with highlights. */
+/* Makes the power table of a model with highlights, unless the last frame left the same one. */
 static void prepare_specular(glint_shading *shading, uint32_t largest_specular) {
     if (largest_specular && shading->changed)
         glint_power_prepare(&shading->power, shading->shininess, largest_specular);
 }
 
-/* Plain colour, for things such as a drawn light: the diffuse colour takes the place of ambient light. */
+/* Sets a plain colour, for things such as visible lamps: the diffuse colour replaces ambient light. */
 static void prepare_unlit(glint_shading *shading, uint32_t largest_specular) {
     const glint_colour *colour = &shading->material->diffuse;
     (void)largest_specular;
@@ -21,17 +21,17 @@ static void prepare_unlit(glint_shading *shading, uint32_t largest_specular) {
 
 const glint_shading_model glint_model_unlit = {.prepare = prepare_unlit, .lobe = GLINT_LOBE_OTHER};
 
-/* Matt surfaces (Lambert, 1760): ambient and diffuse light only. */
+/* Matt surfaces (Lambert, 1760) have ambient and diffuse light alone. */
 const glint_shading_model glint_model_lambert = {.is_lit = 1, .reflect = glint_reflect_matt, .lobe = GLINT_LOBE_NONE};
 
-/* Phong lighting (Phong, 1975): highlights by the mirrored light R = 2 (N.L) N - L. */
+/* Phong lighting (Phong, 1975) has highlights around the mirrored light R = 2 (N.L) N - L. */
 const glint_shading_model glint_model_phong = {.prepare = prepare_specular,
                                                .is_lit = 1,
                                                .reflect = glint_reflect_mirror,
                                                .lobe = GLINT_LOBE_MIRROR,
                                                .highlight = glint_highlight_of_mirror};
 
-/* Blinn-Phong lighting (Blinn, 1977): highlights by the half vector H = L + V. */
+/* Blinn-Phong lighting (Blinn, 1977) has highlights around the half vector H = L + V. */
 const glint_shading_model glint_model_blinn_phong = {.prepare = prepare_specular,
                                                      .is_lit = 1,
                                                      .reflect = glint_reflect_half,

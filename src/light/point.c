@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Point lights: their place in the units of lamps.c, and how corners see them. */
+/* Point lights: brings their places to the units of lamps.c. */
 #include "point.h"
 #include "lamps.h"
 
@@ -10,16 +10,16 @@ static glint_status prepare_point(const glint_light *light, glint_prepared_light
     return glint_light_grows(light) ? GLINT_ERROR_ATTENUATION : GLINT_OK;
 }
 
-/* Quotients of 31 bits, with a sign: scaled / n 2^wide, scaled up to 2^59, n from 2^30 to 2^31. @return wide */
+/* Sets mantissa = scaled / n 2^up, 31 bits and a sign, for `scaled` up to 2^59 and n from 2^30 to 2^31. @return up */
 static int find_mantissas(const int64_t scaled[3], int64_t n, int32_t mantissa[3]) {
     const uint64_t all = glint_magnitude64(scaled[0]) | glint_magnitude64(scaled[1]) | glint_magnitude64(scaled[2]);
-    const int wide = 61 - (int)glint_bits64(all | 1);
+    const int up = 61 - (int)glint_bits64(all | 1);
     for (int i = 0; i < 3; i++)
-        mantissa[i] = (int32_t)(scaled[i] * ((int64_t)1 << wide) / n);
-    return wide;
+        mantissa[i] = (int32_t)(scaled[i] * ((int64_t)1 << up) / n);
+    return up;
 }
 
-/* A number as one of 14 bits. @return n: it is 2^n times that */
+/* Scales x to 14 bits, rounded down. @return n: x is 2^n times the result */
 static int32_t to_14_bits(uint64_t x, uint16_t *to) {
     const int32_t down = (int32_t)glint_bits64(x) - 14;
     *to = (uint16_t)(down > 0 ? x >> down : x << -down);
@@ -27,15 +27,15 @@ static int32_t to_14_bits(uint64_t x, uint16_t *to) {
 }
 
 /*
- * Brings a light to the units of lamps.c, in which a fragment's place is the way to the eye over 1/w. Such a unit is
- * nearest 2^(12 - 31) / (ray_scale focal) long where 1/w is 1, nearest in Q28; nearest is n 2^bits.
+ * Brings a light to the units of lamps.c, in which a fragment's place is the vector to the eye over 1/w. Where 1/w is
+ * 1, such a unit is nearest 2^(12 - 31) / (ray_scale focal) long, with `nearest` in Q28: n 2^bits.
  */
 static void place_lamp(const glint_light *light, glint_prepared_light *prepared, const glint_view *view, int64_t n,
                        int bits) {
     uint64_t under = (uint64_t)view->ray_scale * (uint32_t)view->focal;
     const int under_bits = (int)glint_bits64(under) - 31;
     under = under_bits > 0 ? under >> under_bits : under << -under_bits;
-    const uint64_t unit = ((uint64_t)n << 31) / (under | 1u << 30); /* 30 to 32 bits; the divisor has that bit */
+    const uint64_t unit = ((uint64_t)n << 31) / (under | 1u << 30); /* 30 to 32 bits; `under` has bit 30 anyway */
     const int exponent = bits - under_bits - 31 + 12;
     const uint32_t unit16 = (uint32_t)(unit >> 16);
     const int up = (int)glint_leading_zeros((uint32_t)view->ray_scale) - 1;
@@ -65,7 +65,7 @@ void glint_point_place(const glint_light *light, glint_prepared_light *prepared,
     int64_t scaled[3];
     for (int i = 0; i < 3; i++)
         scaled[i] = (int64_t)reduced[i] * view->focal;
-    /* position Q32 / nearest Q28 is 2^-4, and 1/w is Q31 */
+    /* positions are Q32 and `nearest` is Q28, so that quotients are Q4; and 1/w is Q31 */
     prepared->point.shift = bits + 4 - up + 31 + find_mantissas(scaled, n, prepared->point.mantissa);
     place_lamp(light, prepared, view, n, bits);
 }

@@ -1,12 +1,13 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * The specular power cos^p as a table over sin^2: (1 - u)^(p/2), linear between nodes, only as wide as it matters.
- * sin^2 keeps its precision at the centre of a highlight, where the cosine has none left.
+ * Makes tables of the specular power cos^p over u = sin^2: (1 - u)^(p/2), linear between nodes, and only as wide as the
+ * highlight is visible. At the centre of a highlight sin^2 is precise, while all cosines there are nearly 1.
  */
 #include "../math/numeric.h"
 #include "shading.h"
 
-/* (1 - u)^(p/2), Q30, for u Q30 as products of unit vectors give it: GLINT_UNIT^4 short of 2^60 by a part in 2^11. */
+/* Returns (1 - u)^(p/2), Q30. u comes from products of vectors as long as GLINT_UNIT, whose fourth power is one part in
+ * 2^11 below 2^60: so u, Q30, is too small by that part. */
 static int32_t power_of_sine(uint32_t u, int32_t exponent) {
     uint32_t square = u + (u >> 11);
     if (square >= 1u << 30)
@@ -14,7 +15,8 @@ static int32_t power_of_sine(uint32_t u, int32_t exponent) {
     return (int32_t)glint_power((1u << 31) - 2 * square, exponent >> 1);
 }
 
-/* Where (1 - u)^(p/2) times the weight falls below what need not show; Q30. */
+/* Returns the u, Q30, where (1 - u)^(p/2) times the weight falls below 1/16 of a step of 8 bits; weights above 16 count
+ * as 16. */
 static uint32_t find_window_end(int32_t exponent, uint32_t weight) {
     unsigned bits = 12; /* 2^-12 is 1/16 of 1/255 */
     while (bits < 16 && weight > 1u << bits)
@@ -23,7 +25,7 @@ static uint32_t find_window_end(int32_t exponent, uint32_t weight) {
     return (1u << 30) - glint_exp2((int32_t)-y);
 }
 
-/* The next power of two. */
+/* Returns the least power of two from `cut` up that has all bits of a table's index and of positions in intervals. */
 static uint32_t find_window(uint32_t cut) {
     uint32_t window = 1u << (GLINT_POWER_TABLE_BITS + GLINT_POWER_FRACTION_BITS);
     while (window < cut)
@@ -31,7 +33,7 @@ static uint32_t find_window(uint32_t cut) {
     return window;
 }
 
-/* x^p for p < 2, by halves: of GLINT_POWER_OCTAVE nodes from 1/2 to 1, and at 2^-i behind them. */
+/* Makes the table of x^p for p < 2: GLINT_POWER_OCTAVE intervals from 1/2 to 1, and behind them the powers of 2^-i. */
 static void prepare_octaves(glint_power_table *table) {
     const int32_t p = table->exponent;
     for (uint32_t i = 0; i <= GLINT_POWER_OCTAVE; i++)
@@ -53,7 +55,7 @@ void glint_power_prepare(glint_power_table *table, int32_t exponent, uint32_t we
         return;
     }
     table->index_shift = 31u - glint_leading_zeros(table->window) - GLINT_POWER_TABLE_BITS;
-    int32_t f[3]; /* at three nodes in a row, around node i where it has two neighbours */
+    int32_t f[3]; /* values at three nodes in a row: around node i, if it has two neighbours */
     for (uint32_t i = 0; i < 3; i++)
         f[i] = power_of_sine(i << table->index_shift, exponent);
     for (uint32_t i = 0; i <= GLINT_POWER_INTERVALS; i++) {
@@ -61,7 +63,7 @@ void glint_power_prepare(glint_power_table *table, int32_t exponent, uint32_t we
             f[0] = f[1], f[1] = f[2];
             f[2] = power_of_sine((i + 1) << table->index_shift, exponent);
         }
-        /* A chord lies above a convex curve: a sixteenth of the second difference less halves its error. */
+        /* A chord lies above a convex curve: lowering nodes by 1/16 of the second difference halves the error. */
         int32_t node = i == 0 ? f[0] : i == GLINT_POWER_INTERVALS ? f[2] : f[1];
         int32_t value = glint_shift_right(node - (f[0] - 2 * f[1] + f[2]) / 16 + (1 << 14), 15);
         table->value[i] = (uint16_t)(value < 0 ? 0 : value);

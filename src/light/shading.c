@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: MIT */
-/* Shading: what a material makes of the scene's lights, and which of them show. */
+/* Shading: multiplies the colours of a material with those of the lights, and finds which lights are visible on it. */
 #include "shading.h"
 
 #include "../math/product.h"
 #include "../scene/arena.h"
 
-/* Products of two colours with `bits` fractional bits. @return the largest, below 0 when one passes GLINT_COLOUR_MAX.
- */
+/* Multiplies two colours, with `bits` fractional bits and rounded to nearest. @return the largest channel, or -1 if one
+ * exceeds GLINT_COLOUR_MAX */
 static int32_t weigh_colour(const glint_colour *a, const glint_colour *b, int bits, uint32_t weight[3]) {
     const glint_q16 left[3] = {a->r, a->g, a->b}, right[3] = {b->r, b->g, b->b};
     int32_t largest = 0;
@@ -21,7 +21,7 @@ static int32_t weigh_colour(const glint_colour *a, const glint_colour *b, int bi
     return largest;
 }
 
-/* Sets a number that tables are made from. */
+/* Sets a number that tables are made from, and notes whether it changes. */
 static inline void renew(glint_shading *shading, uint32_t *number, uint32_t value) {
     shading->changed |= GLINT_SMALL ? 0 : *number ^ value;
     *number = value;
@@ -32,7 +32,8 @@ static void renew_colour(glint_shading *shading, uint32_t number[3], const uint3
         renew(shading, &number[c], value[c]);
 }
 
-/* Weights of the lights that show. @return the largest of specular light, below 0 when one passes GLINT_COLOUR_MAX */
+/* Sets the weights of all lights, and which of them are visible. @return the largest specular weight, or -1 if a weight
+ * exceeds GLINT_COLOUR_MAX */
 static int32_t weigh_lights(const glint_scene *scene, glint_shading *shading) {
     const glint_material *material = shading->material;
     uint32_t lights = 0, has_specular = 0, weight[2][3] = {{0}};

@@ -1,15 +1,15 @@
 /* SPDX-License-Identifier: MIT */
-/* Spots: point lights within a cone, with a smooth step from its inner to its outer angle. */
+/* Spots: point lights whose light is limited to a cone, with a smooth step from its inner to its outer angle. */
 #include "lamps.h"
 #include "point.h"
 
-/* Cosine of an angle in degrees, times UNIT^2. */
+/* Returns the cosine of an angle in degrees, times GLINT_UNIT^2, rounded to nearest. */
 static int32_t cosine_of(glint_q16 degrees) {
     int64_t cosine = glint_sine(glint_phase(degrees) + 0x40000000u);
     return (int32_t)glint_round_shift64(cosine * (GLINT_UNIT * GLINT_UNIT), 30);
 }
 
-/* The cosines of a cone's edges, and what lies between them. */
+/* Sets the cosines of a cone's edges, corrected for the length of the axis, and the slope between them. */
 static void prepare_edge(const glint_light *light, glint_prepared_light *prepared) {
     const int32_t inner = cosine_of(light->inner), outer = cosine_of(light->outer),
                   excess = glint_square_excess(prepared->direction);
@@ -36,15 +36,16 @@ static glint_status prepare_spot(const glint_light *light, glint_prepared_light 
 
 /* ---- Objects that a cone misses ---- */
 
-/* Bits and a sign that a spot's way to an object, and the object's box, are brought to. */
+/* The way from a spot to an object, and the object's box, are scaled to this many bits and a sign. */
 #define WAY_BITS 13
 
-/* And bits more until the way has been turned. */
-#define WAY_MORE 12
+/* Until the way has been turned, it has these bits more. */
+#define FINE_WAY_BITS 12
 
-/* An object's middle as a spot sees it, and half of its box along the mesh's axes; in any unit. */
+/* An object as a spot sees it, in any unit. */
 typedef struct sighted {
-    int32_t way[3], half[3][3];
+    int32_t way[3];     /* from the spot to the middle of the object's box, in camera space */
+    int32_t half[3][3]; /* the three half edges of the box, in world space */
 } sighted;
 
 static void sight(const glint_light *light, const glint_view *view, const glint_object *object, sighted *to) {
@@ -63,9 +64,9 @@ static void sight(const glint_light *light, const glint_view *view, const glint_
         }
         all |= glint_magnitude64(way[i]);
     }
-    /* turned to view space, a way has up to a bit more */
+    /* in camera space, the components of the way may have one more bit */
     const unsigned bits = glint_bits64(all) + 1, down = bits > WAY_BITS ? bits - WAY_BITS : 0,
-                   early = bits > WAY_BITS + WAY_MORE ? bits - WAY_BITS - WAY_MORE : 0;
+                   early = bits > WAY_BITS + FINE_WAY_BITS ? bits - WAY_BITS - FINE_WAY_BITS : 0;
     for (int i = 0; i < 3; i++) {
         int64_t turned = 0;
         for (int j = 0; j < 3; j++) {
@@ -76,7 +77,7 @@ static void sight(const glint_light *light, const glint_view *view, const glint_
     }
 }
 
-/* The square of the distance of the box's farthest corner from its middle, no less than it is. */
+/* Returns the square of the distance from the box's middle to its farthest corner, rounded up. */
 static uint32_t square_of_radius(const int32_t half[3][3]) {
     uint32_t most = 0;
     for (int corner = 0; corner < 4; corner++) {
@@ -84,8 +85,8 @@ static uint32_t square_of_radius(const int32_t half[3][3]) {
         for (int i = 0; i < 3; i++) {
             const int32_t x =
                 half[0][i] + (corner & 1 ? -half[1][i] : half[1][i]) + (corner & 2 ? -half[2][i] : half[2][i]);
-            const uint32_t reach = glint_magnitude_bits(x) + 4; /* each part may lack 1, the magnitude too */
-            square += reach * reach;
+            const uint32_t most_x = glint_magnitude_bits(x) + 4; /* three summands and the magnitude may each lack 1 */
+            square += most_x * most_x;
         }
         most = square > most ? square : most;
     }
@@ -93,10 +94,11 @@ static uint32_t square_of_radius(const int32_t half[3][3]) {
 }
 
 /*
- * A sphere of radius r lies outside a cone of half angle t, up to a right one, if its middle, a along the axis and p
- * from it, has p cos t - a sin t > r. It is to have more than that by 1/64 of its distance, so that no rounding of what
- * fragments see takes one of them in. The axis is short by up to 3 of 2^15 in each number, and so is a: what p is found
- * from has room for it.
+ * Returns whether all of an object lies outside of a spot's cone. A sphere of radius r lies outside of a cone of half
+ * angle t, up to 90 degrees, if p cos t - a sin t > r, where a and p are the coordinates of its middle along the axis
+ * and away from it. The test requires 1/64 of the middle's distance more than that, so that no fragment sees the light
+ * by rounding. Each component of the axis may be 3 steps of 2^15 too small, and so may a be: where p is found from a,
+ * there is room for this.
  */
 static int misses_cone(const glint_light *light, const glint_prepared_light *prepared, const glint_view *view,
                        const glint_object *object) {
@@ -107,16 +109,18 @@ static int misses_cone(const glint_light *light, const glint_prepared_light *pre
     if (cosine <= 0)
         return 0;
     sight(light, view, object, &s);
-    const int32_t along = -glint_shift_right(s.way[0] * back[0] + s.way[1] * back[1] + s.way[2] * back[2], 15);
+    const int32_t axial = -glint_shift_right(s.way[0] * back[0] + s.way[1] * back[1] + s.way[2] * back[2], 15);
     const uint32_t square = (uint32_t)(s.way[0] * s.way[0]) + (uint32_t)(s.way[1] * s.way[1]) +
                             (uint32_t)(s.way[2] * s.way[2]),
-                   reach = glint_magnitude_bits(along) + 6, axial = reach * reach,
-                   across = square > axial ? square - axial : 0, radius = square_of_radius((const int32_t(*)[3])s.half);
-    if (radius >= square)
+                   most_axial = glint_magnitude_bits(axial) + 6, axial_square = most_axial * most_axial;
+    const uint32_t across_square = square > axial_square ? square - axial_square : 0,
+                   radius_square = square_of_radius((const int32_t(*)[3])s.half);
+    if (radius_square >= square)
         return 0;
-    const int32_t least = (int32_t)(glint_square_root(radius) + (glint_square_root(square) >> 6)) + 4 +
-                          glint_shift_right(along * sine, 15);
-    return least < 0 || (uint64_t)across * (uint32_t)(cosine * cosine) > (uint64_t)((int64_t)least * least) << 30;
+    const int32_t least = (int32_t)(glint_square_root(radius_square) + (glint_square_root(square) >> 6)) + 4 +
+                          glint_shift_right(axial * sine, 15);
+    const uint64_t least_square = (uint64_t)((int64_t)least * least);
+    return least < 0 || (uint64_t)across_square * (uint32_t)(cosine * cosine) > least_square << 30;
 }
 
 const glint_light_type glint_light_spot = {.prepare = prepare_spot,
