@@ -57,7 +57,7 @@ static void fill(level_ramp *r, uint32_t *words, uint32_t count) {
  * has one light only, the ramp includes ambient light and half a level. */
 static void begin_diffuse_ramp(const glint_shading *shading, const glint_drawn_sun *sun, level_ramp *r) {
     const uint32_t *const weight = shading->weights[sun->number].diffuse;
-    const int has_base = !shading->suns->keeps;
+    const int has_base = !shading->suns->sum_mask;
     for (int c = 0; c < 3; c++) {
         const uint32_t base = has_base ? least(shading->ambient[c], 1u << 23) * most_level[c] + half_level(shading) : 0;
         r->step[c] = weight[c] * most_level[c] << 2; /* Q12 to Q23, 512 steps; below 2^25 */
@@ -200,8 +200,8 @@ void glint_ramps_prepare(glint_suns *suns, const glint_shading *shading) {
         level[c] = least(shading->ambient[c], 1u << 23) * most_level[c] + (half[c] ? half[c] : cut_half[c]);
     }
     suns->dark = spread_levels(level);
-    suns->half = spread_levels(half);
-    suns->first = suns->takes_most ? suns->half : suns->dark;
+    suns->half_level = spread_levels(half);
+    suns->first = suns->takes_most ? suns->half_level : suns->dark;
     suns->end = 0;
     suns->shift = 0;
     suns->bend = 0;

@@ -88,7 +88,7 @@ static GLINT_INLINE void add_lights(const glint_row_walk *walk, const small_pixe
 static GLINT_NOINLINE void add_lights_to_own(const glint_row_walk *walk, const small_pixel *of, glint_spread *p) {
     const glint_sun_triangle *t = walk->suns;
     const int16_t *a = t->own_at[0], *b = t->own_at[1], *c = t->own_at[2];
-    p->colour = t->suns->dark - t->suns->half;
+    p->colour = t->suns->dark - t->suns->half_level;
     add_lights(walk, of, p, 1, 0);
     p->colour = glint_multiply_word(t->suns, p->colour, mix_corners(of, a[0], b[0], c[0]),
                                     mix_corners(of, a[1], b[1], c[1]), mix_corners(of, a[2], b[2], c[2]));

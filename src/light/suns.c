@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Suns: light of directional lights at each fragment: materials, and what draws a triangle. suns.h */
+/* Suns: prepares materials under directional lights, and chooses what draws each triangle. suns.h */
 #include "suns.h"
 
 #include "../geometry/draw.h"
@@ -11,18 +11,18 @@
 
 /* ---- Triangles ---- */
 
-/* Slopes, 2^-14, from which on quadratics do not serve: of triangles that are two pixels wide; and leading zeros of
- * twice their area, in sixteenths squared, from which on they do not pay: of four pixels. */
+/* Quadratics do not serve triangles with slopes, Q14, from this on: these are up to two pixels wide. They do not pay
+ * for triangles of up to four pixels: twice their area, in sixteenths squared, has these leading zeros. */
 #define MOST_SLOPE (1 << 13)
 #define SMALL_ZEROS 21
 
-/* Are what a triangle's vertices keep known? */
+/* Returns whether all vertices of a triangle have normals and terms. */
 static inline int is_lit(const glint_row_walk *walk) {
     const glint_vertex *const *v = walk->triangle.corners;
     return v[0]->flags & v[1]->flags & v[2]->flags & GLINT_VERTEX_LIT;
 }
 
-/* Is a triangle so small or narrow that its pixels are lit one by one? */
+/* Returns whether a triangle is so small or narrow that its pixels are lit one by one. */
 static inline int is_small(const glint_row_walk *walk) {
     const glint_slopes *s = &walk->slopes;
     return walk->corners.area.zeros >= SMALL_ZEROS ||
@@ -30,8 +30,8 @@ static inline int is_small(const glint_row_walk *walk) {
             glint_magnitude_bits(s->y2)) >= MOST_SLOPE;
 }
 
-/* Brings together what spans of one light need at each pixel. */
-static inline void begin_only(const glint_row_walk *walk, glint_sun_triangle *t) {
+/* Copies the numbers that spans of one light use at each pixel. */
+static inline void begin_one_light(const glint_row_walk *walk, glint_sun_triangle *t) {
     const glint_lit_sun *lit = t->lit;
     t->ramp = lit->sun->ramp;
     t->gloss = lit->sun->gloss;
@@ -44,24 +44,24 @@ static inline void begin_only(const glint_row_walk *walk, glint_sun_triangle *t)
     if (lit->gloss) {
         t->half_bend = 2 * lit->half.xx;
         if (t->suns->is_mirror)
-            t->along_bend = 2 * lit->along.xx;
+            t->light_view_bend = 2 * lit->light_view.xx;
     }
 }
 
-/* Sets a corner, and what it keeps. */
+/* Sets a corner and its terms. */
 static inline void set_corner(const glint_row_walk *walk, glint_sun_triangle *t, int k, const glint_vertex *v) {
     t->corners[k] = v;
     t->terms[k] = walk->draw->terms + (size_t)(v - walk->draw->vertices) * t->suns->terms;
 }
 
-/* Sets corners in the order of slopes. */
+/* Sets the corners, in the order of slopes. */
 static inline void set_corners(const glint_row_walk *walk, glint_sun_triangle *t) {
     set_corner(walk, t, 0, walk->from_top[0]);
     set_corner(walk, t, 1, walk->from_top[1]);
     set_corner(walk, t, 2, walk->from_top[2]);
 }
 
-/* Begins the colours of a surface that has its own. @return 0 where they are not linear on the screen */
+/* Sets a surface's own colours. @return 0 if they are not linear on the screen */
 static GLINT_NOINLINE int begin_own(const glint_row_walk *walk, glint_sun_triangle *t) {
     static const uint8_t next[5] = {0, 1, 2, 0, 1};
     const uint8_t *from = &next[walk->corners.top];
@@ -74,15 +74,15 @@ static GLINT_NOINLINE int begin_own(const glint_row_walk *walk, glint_sun_triang
     return 1;
 }
 
-/* Chooses what draws the spans of a triangle that is visible. @return null where it does not fit */
+/* Chooses the function that draws the spans of a visible triangle. @return null if suns do not serve the triangle */
 static inline glint_draw_span *choose_span(glint_row_walk *walk, glint_sun_triangle *t) {
     const glint_suns *suns = t->suns;
     const int has_own = walk->draw->extra && suns->has_own && begin_own(walk, t),
-              is_listed = (walk->draw->extra && !has_own) || suns->is_fine, is_few = is_small(walk);
-    if (!is_lit(walk) || (is_few && (is_listed || (suns->terms && !suns->bend))))
+              is_listed = (walk->draw->extra && !has_own) || suns->is_fine, is_tiny = is_small(walk);
+    if (!is_lit(walk) || (is_tiny && (is_listed || (suns->terms && !suns->bend))))
         return 0;
     set_corners(walk, t);
-    if (is_few) {
+    if (is_tiny) {
         glint_begin_small_suns(walk, t);
         return has_own ? glint_draw_small_suns : suns->small;
     }
@@ -98,11 +98,11 @@ static inline glint_draw_span *choose_span(glint_row_walk *walk, glint_sun_trian
     }
     if (t->count != 1 || !suns->spans)
         return glint_draw_sun_list;
-    begin_only(walk, t);
+    begin_one_light(walk, t);
     return !t->lit->gloss ? suns->spans->matt : suns->is_mirror ? suns->spans->mirror : suns->spans->half;
 }
 
-/* Draws a triangle that is visible and has slopes. @return 0 where it does not fit */
+/* Draws a triangle that is visible and has slopes. @return 0 if suns do not serve it */
 static GLINT_NOINLINE int draw_visible(glint_row_walk *walk) {
     glint_sun_triangle t;
     t.suns = walk->draw->shading->suns;
@@ -119,8 +119,8 @@ static GLINT_NOINLINE int draw_visible(glint_row_walk *walk) {
     return 1;
 }
 
-/* Draws a triangle that has one normal and no visible highlight, in a format whose pixels are words that are cut off.
- * @return 0 where it is another */
+/* Draws a triangle in one colour if its normals are the same, no highlight is visible on it, and the format cuts words
+ * off. @return 0 if it is another triangle */
 static GLINT_NOINLINE int draw_one_colour(glint_row_walk *walk, glint_begun begun) {
     const glint_vertex *const *v = walk->triangle.corners;
     const glint_suns *suns = walk->draw->shading->suns;
@@ -135,7 +135,7 @@ static GLINT_NOINLINE int draw_one_colour(glint_row_walk *walk, glint_begun begu
     return 1;
 }
 
-/* Lamps draw what does not fit, when the numbers of suns have left the stack. */
+/* Draws a triangle by suns, or by lamps if suns do not serve it: glint_sun_triangle has then left the stack. */
 static void draw_suns(glint_row_walk *walk) {
     glint_lamp_list list;
     const glint_begun begun = glint_begin_triangle(walk);
@@ -164,21 +164,22 @@ static size_t vertex_size(const glint_shading *shading) {
     return count_lights(shading->has_specular) * sizeof(glint_sun_term);
 }
 
-/* From exponents on, of highlights that a table over sin^2 serves. */
+/* Tables over sin^2 serve highlights from this exponent on. */
 #define LEAST_EXPONENT (2 * GLINT_ONE)
 
-/* Are a material's colours too fine for packed words? */
+/* Returns whether packed words are too coarse for the frame's pixels. */
 static int is_fine(const glint_frame *frame) {
     return frame->config.gamma || !frame->config.format->store_spread;
 }
 
-/* Does a material show the larger of its ambient and its other light? */
+/* Returns whether a material takes the larger of its ambient and all other light, and has ambient light. */
 static int takes_most(const glint_shading *shading) {
     return shading->material->flags & GLINT_MATERIAL_MAX_WITH_AMBIENT &&
            (shading->ambient[0] | shading->ambient[1] | shading->ambient[2]);
 }
 
-/* Does no sum of ambient and diffuse light, which a surface's own colour multiplies, pass 1 by more than words show? */
+/* Returns whether words serve surfaces of a material with colours of their own: these multiply the sum of ambient and
+ * diffuse light, which must not exceed 1, as words are clamped there. */
 static int has_own_words(const glint_frame *frame, const glint_shading *shading) {
     if (is_fine(frame) || takes_most(shading))
         return 0;
@@ -193,11 +194,12 @@ static int has_own_words(const glint_frame *frame, const glint_shading *shading)
     return 1;
 }
 
-/* Can fragments of a material be listed, by sun_fine.c? */
+/* Returns whether sun_fine.c serves a material: it has no highlights of Phong. */
 static int material_lists(const glint_shading *shading) {
     return !shading->has_specular || shading->material->model->lobe != GLINT_LOBE_MIRROR;
 }
 
+/* Returns whether suns serve a material: all its lights are directional, and so on. */
 static int serves_material(const glint_frame *frame, const glint_shading *shading) {
     const glint_material *material = shading->material;
     if (!shading->lights || (is_fine(frame) && !material_lists(shading)))
@@ -209,12 +211,14 @@ static int serves_material(const glint_frame *frame, const glint_shading *shadin
            (material->shininess >= LEAST_EXPONENT && material->model->lobe != GLINT_LOBE_OTHER);
 }
 
+/* Returns whether suns serve an object of a material. */
 static int serves(const glint_frame *frame, const glint_shading *shading, const glint_object *object) {
     return object->evaluation && object->evaluation->lit_at == GLINT_LIT_AT_FRAGMENTS &&
            (!glint_has_colours(object->mesh) || material_lists(shading) || has_own_words(frame, shading)) &&
            serves_material(frame, shading);
 }
 
+/* Returns whether suns serve an object of a material in the scene. */
 static int serves_some(const glint_frame *frame, const glint_shading *shading) {
     for (uint32_t i = 0; i < frame->scene->object_count; i++) {
         const glint_object *object = &frame->scene->objects[i];
@@ -224,7 +228,7 @@ static int serves_some(const glint_frame *frame, const glint_shading *shading) {
     return 0;
 }
 
-/* Do packed words serve an object of a material, with or without colours of its own? */
+/* Returns whether packed words serve an object of a material: one with colours of its own, or one without. */
 static int has_words_of(const glint_frame *frame, const glint_shading *shading, int is_own) {
     for (uint32_t i = 0; i < frame->scene->object_count && !is_fine(frame); i++) {
         const glint_object *object = &frame->scene->objects[i];
@@ -239,6 +243,7 @@ static int has_words(const glint_frame *frame, const glint_shading *shading) {
     return has_words_of(frame, shading, 0) || has_words_of(frame, shading, 1);
 }
 
+/* Adds the bytes that suns of a material need, and those of its tables. */
 static void need(const glint_frame *frame, const glint_shading *shading, size_t *least, size_t *tables) {
     if (!serves_some(frame, shading))
         return;
@@ -250,7 +255,7 @@ static void need(const glint_frame *frame, const glint_shading *shading, size_t 
     }
 }
 
-/* All but the tables; `ramp` tells where the last frame left those. */
+/* Sets the suns of a material, except the tables; `ramp` is where the last frame left them. */
 static glint_status prepare_material(glint_frame *frame, glint_shading *shading) {
     const glint_view *view = frame->view;
     const glint_suns *last = shading->changed ? 0 : shading->suns;
@@ -264,11 +269,11 @@ static glint_status prepare_material(glint_frame *frame, glint_shading *shading)
     const uint8_t is_mirror = shading->material->model->lobe == GLINT_LOBE_MIRROR;
     const int has_own = has_words_of(frame, shading, 1),
               is_ungated = flags & GLINT_MATERIAL_SPECULAR_UNGATED && shading->has_specular;
-    const uint32_t keeps = count > 1 || takes_most(shading) || is_ungated || has_own ||
-                                   frame->config.format->sun_spans == GLINT_SPANS_OF_ANY
-                               ? UINT32_MAX
-                               : 0;
-    const int is_left = last == suns && suns->is_mirror == is_mirror && suns->keeps == keeps;
+    const uint32_t sum_mask = count > 1 || takes_most(shading) || is_ungated || has_own ||
+                                      frame->config.format->sun_spans == GLINT_SPANS_OF_ANY
+                                  ? UINT32_MAX
+                                  : 0;
+    const int is_left = last == suns && suns->is_mirror == is_mirror && suns->sum_mask == sum_mask;
     shading->suns = suns;
     suns->count = count;
     suns->is_mirror = is_mirror;
@@ -277,7 +282,7 @@ static glint_status prepare_material(glint_frame *frame, glint_shading *shading)
     suns->takes_most = (uint8_t)takes_most(shading);
     suns->has_own = (uint8_t)has_own;
     suns->gate = is_ungated ? INT32_MIN : 0;
-    suns->keeps = keeps;
+    suns->sum_mask = sum_mask;
     suns->terms = count_lights(shading->has_specular);
     suns->is_local = view->local_viewer;
     suns->is_rounded = frame->config.format->sun_spans != GLINT_SPANS_OF_ANY;
@@ -303,10 +308,10 @@ static glint_status prepare_material(glint_frame *frame, glint_shading *shading)
     return GLINT_OK;
 }
 
-/* A material's tables, if they leave room to draw any scene. */
+/* Makes a material's tables, if enough room is left behind them to draw the scene. */
 static void make_tables(glint_frame *frame, const glint_shading *shading, glint_suns *suns) {
     static const glint_sun_spans *const *const spans[] = {0, &glint_spans_of_rgb565, &glint_spans_of_rgb565_be};
-    suns->is_plain = suns->keeps != 0;
+    suns->is_plain = suns->sum_mask != 0;
     for (glint_drawn_sun *sun = suns->suns, *end = sun + suns->count; sun != end; sun++) {
         const uint32_t *const before = sun->ramp;
         const size_t size = glint_ramps_size(sun);
@@ -316,7 +321,7 @@ static void make_tables(glint_frame *frame, const glint_shading *shading, glint_
         else
             suns->is_plain = 0;
     }
-    if (suns->keeps || !suns->suns->ramp)
+    if (suns->sum_mask || !suns->suns->ramp)
         return;
     suns->spans = *spans[frame->config.format->sun_spans];
     if (suns->suns->shines && !suns->is_mirror)
@@ -328,7 +333,7 @@ static glint_status prepare(glint_frame *frame) {
     glint_status status = GLINT_OK;
     for (uint32_t i = 0; i < frame->shading_count && status == GLINT_OK; i++)
         status = prepare_material(frame, &shadings[i]);
-    /* tables may take what is left once every material has what it must have */
+    /* tables come last, as materials can do without them */
     for (uint32_t i = 0; i < frame->shading_count && status == GLINT_OK; i++)
         if (shadings[i].suns && !shadings[i].suns->is_fine)
             make_tables(frame, &shadings[i], (glint_suns *)shadings[i].suns);
@@ -342,8 +347,8 @@ static const glint_evaluation evaluation = {.lit_at = GLINT_LIT_AT_FRAGMENTS,
 
 const glint_suns_stage glint_suns_of_lights = {&evaluation, serves, prepare, need};
 
-/* Lighting at every fragment by any lights, with the normal interpolated and made unit (Phong, 1975). It stands here so
- * that what lights by directional ones is linked where both are named. */
+/* Lighting at every fragment by any lights, with the normal interpolated and made unit (Phong, 1975). It is defined in
+ * this file so that suns are linked with programs that use both this evaluation and directional lights. */
 const glint_evaluation glint_per_fragment = {.lit_at = GLINT_LIT_AT_FRAGMENTS,
                                              .is_costly = 1,
                                              .light = glint_transform_normals,
