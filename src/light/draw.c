@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Draws triangles of one colour, and triangles with colours at their corners.
+ * Draws triangles of one colour, and triangles whose colours are interpolated between corners.
  *
- * Colours at corners are linear on the screen over w. Where that is close to linear on the screen itself, a format's
- * own loop steps them in two words; elsewhere they are divided by w at each pixel.
+ * Colours over w are linear on the screen. Where the colours themselves are close to linear, a loop of the pixel format
+ * steps them in two words; elsewhere they are divided by 1/w at each pixel.
  */
 #include "../math/division.h"
 #include "../pixel/pixel.h"
@@ -22,19 +22,20 @@ void glint_draw_facet(glint_row_walk *walk) {
 /* ---- Colours at corners, over w ---- */
 
 /*
- * How far a colour that is linear over w may be from the plane through its corners: half a level. The plane that is
- * drawn lies between, so that about half of that is left.
+ * Colours count as linear on the screen if they deviate from the plane through their corners by at most this: half a
+ * level. The plane that is drawn lies between both, which leaves about half of the deviation.
  */
-#define CLOSE (1u << 14)
+#define MOST_DEVIATION (1u << 14)
 
-/* Returns a channel, 1 = GLINT_COLOUR_ONE, cut to 0 and 1, off by at most 4 steps; 1/w = 2^-31 reciprocal 2^zeros. */
+/* Returns a channel, 1 = GLINT_COLOUR_ONE, clamped to 0 and 1, off by at most 4 steps, given the channel over w; w is
+ * 2^-31 reciprocal 2^zeros. */
 static inline int16_t divide_channel(int32_t over_w, uint32_t zeros, int32_t reciprocal) {
     const int32_t cut = glint_least(glint_most(over_w, 0), glint_shift_right(INT32_MAX, zeros));
     const int32_t colour = glint_shift_right(glint_shift_right(glint_shift_left(cut, zeros), 16) * reciprocal, 15);
     return (int16_t)glint_least(colour, GLINT_COLOUR_ONE);
 }
 
-/* Divides a colour by its 1/w, of which at least one step counts. */
+/* Divides the three channels of a colour by 1/w, the fourth number, which is clamped to one step or more. */
 static GLINT_NOINLINE void divide_colour(const int32_t at[4], int16_t colour[3]) {
     const uint32_t w = (uint32_t)glint_most(at[3], 1), zeros = glint_leading_zeros(w);
     const int32_t reciprocal = glint_reciprocal16(w << zeros >> 16);
@@ -42,6 +43,7 @@ static GLINT_NOINLINE void divide_colour(const int32_t at[4], int16_t colour[3])
         colour[c] = divide_channel(at[c], zeros, reciprocal);
 }
 
+/* Draws a span whose colours are divided at each pixel. */
 static GLINT_NOINLINE void draw_divided_pixels(glint_row_walk *walk, int32_t row, int32_t left, int32_t right) {
     const glint_config *config = &walk->frame->config;
     const glint_plane *const c = walk->channel;
@@ -69,7 +71,7 @@ static inline int32_t most_apart(int32_t most, int32_t difference) {
     return magnitude > most ? magnitude : most;
 }
 
-/* Returns the largest difference in any channel of colours from the first one. */
+/* Returns the largest difference of two colours from the first one, in any channel. */
 static inline uint32_t find_apart(const int16_t *a, const int16_t *b, const int16_t *c) {
     const int32_t red = most_apart(most_apart(0, b[0] - a[0]), c[0] - a[0]),
                   green = most_apart(most_apart(red, b[1] - a[1]), c[1] - a[1]);
@@ -77,14 +79,15 @@ static inline uint32_t find_apart(const int16_t *a, const int16_t *b, const int1
 }
 
 /*
- * Columns between two pixels whose colours are divided, those between them being linear. No tile divides the short
- * chunks; long ones are aligned to the screen, and tried where a triangle is large.
+ * Binary logarithms of a chunk's length in pixels: colours are divided at the two nodes at its ends, and interpolated
+ * between. Short chunks are aligned to tiles, whose width is a multiple of theirs. Long ones are aligned to the screen,
+ * and tried if a triangle is large.
  */
 #define CHUNK_SHIFT 3
 #define LONG_CHUNK_SHIFT 5
 #define LONG_CHUNK_REACH 1024 /* sixteenths of a pixel */
 
-/* A pixel whose colour has been divided. */
+/* A pixel whose colour has been divided, with its 1/w. */
 typedef struct colour_node {
     int16_t colour[3];
     int32_t w;
@@ -98,8 +101,8 @@ static void find_node(const glint_row_walk *walk, int32_t row, int32_t column, c
     divide_colour(at, to->colour);
 }
 
-/* May colours between two nodes be linear: to a quarter of a level, an eighth of many? Not where one is cut off at 0
- * or 1. */
+/* Returns whether colours may be interpolated between two nodes: they then deviate by at most a quarter of a level, or
+ * an eighth in formats of many levels. They may not if a channel is clamped at 0 or 1. */
 static int is_close(const glint_row_walk *walk, const colour_node *a, const colour_node *b) {
     const unsigned bits = glint_green_bits(walk->frame->config.format);
     const uint32_t least = (uint32_t)glint_least(a->w, b->w) >> 15, most = (uint32_t)glint_most(a->w, b->w) >> 15;
@@ -110,10 +113,10 @@ static int is_close(const glint_row_walk *walk, const colour_node *a, const colo
         if ((uint32_t)(a->colour[c] - 1) >= GLINT_COLOUR_ONE - 1 ||
             (uint32_t)(b->colour[c] - 1) >= GLINT_COLOUR_ONE - 1)
             return 0;
-    return apart * (most - least + 1) <= (CLOSE >> (bits > 6 ? bits : 5)) * least;
+    return apart * (most - least + 1) <= (MOST_DEVIATION >> (bits > 6 ? bits : 5)) * least;
 }
 
-/* Draws pixels of a chunk with colours that are linear between its nodes. */
+/* Draws pixels of a chunk with colours interpolated between its nodes. */
 static void draw_between(glint_row_walk *walk, const colour_node *a, const colour_node *b, int32_t column,
                          unsigned shift, int32_t row, int32_t left, int32_t right) {
     const uint32_t x = (uint32_t)column;
@@ -130,9 +133,10 @@ static void draw_between(glint_row_walk *walk, const colour_node *a, const colou
     walk->frame->config.format->smooth(walk, row, left, right);
 }
 
-/* Pixels from which on two nodes cost less. */
+/* In chunks of this many visible columns, two nodes cost less than dividing each pixel. */
 #define CHUNK_LEAST 4
 
+/* Draws a span in short chunks. */
 static void draw_chunks(glint_row_walk *walk, int32_t row, int32_t left, int32_t right) {
     int32_t column = glint_shift_right(left, CHUNK_SHIFT) * (1 << CHUNK_SHIFT), known = -1;
     colour_node a, b = {{0, 0, 0}, 0};
@@ -155,7 +159,7 @@ static void draw_chunks(glint_row_walk *walk, int32_t row, int32_t left, int32_t
     }
 }
 
-/* Draws pixels in long chunks, and where that does not do in short ones. */
+/* Draws a span in long chunks, or in short ones where colours deviate too much. */
 static void draw_long_chunks(glint_row_walk *walk, int32_t row, int32_t left, int32_t right) {
     const int32_t size = 1 << LONG_CHUNK_SHIFT, x = glint_shift_right(walk->part->window.left, 4);
     colour_node a, b;
@@ -171,13 +175,14 @@ static void draw_long_chunks(glint_row_walk *walk, int32_t row, int32_t left, in
     }
 }
 
-/* The colour of a triangle's corner. */
+/* Returns the colour of a triangle's corner, on the side that is seen. */
 static inline const int16_t *colour_at(const glint_row_walk *walk, uint32_t corner) {
     const glint_triangle *t = &walk->triangle;
     return t->back ? t->extra[corner] : t->corners[corner]->attribute;
 }
 
-/* Planes of 1/w, its largest from 2^30 to 2^31, and of channels times that, 2^-16. */
+/* Sets the planes of 1/w, scaled so that the largest is from 2^30 to 2^31, and of channels times this times 2^-16; and
+ * chooses what draws spans. */
 static GLINT_NOINLINE void begin_divided(glint_row_walk *walk) {
     const glint_config *config = &walk->frame->config;
     const glint_vertex *const *v = walk->triangle.corners;
@@ -197,7 +202,7 @@ static GLINT_NOINLINE void begin_divided(glint_row_walk *walk) {
                           glint_product_high(colour[2][c] * (1 << 16), w[2]));
         steps |= glint_magnitude_bits(walk->channel[c].dx);
     }
-    /* within a chunk planes may wrap once, which shows */
+    /* chunks do not serve if planes are so steep that they may wrap within one */
     if (config->gamma || config->format->is_dithered || walk->is_deep || steps >> (31 - CHUNK_SHIFT))
         walk->draw_span = draw_divided_pixels;
     else
@@ -212,32 +217,34 @@ typedef struct lane {
     int32_t dx, dy, start;
 } lane;
 
-/* Of any triangle, at its anchor. */
+/* Returns the lane of a channel that is a, b, c at the corners of any triangle, with the value at its anchor. */
 static lane lane_of_gradients(const glint_gradients *g, int32_t a, int32_t b, int32_t c) {
     glint_plane p;
     glint_plane_begin(&p, g, a * (1 << 14), b * (1 << 14), c * (1 << 14));
     return (lane){p.dx, p.dy, p.start};
 }
 
-/* Returns a small triangle's lane at the pixel at or after the top corner, modulo 2^32: a sliver's may wrap there. */
+/* Returns the lane of a small triangle, given the channel at its first corner, and the differences at the others. The
+ * value is that at the first pixel of the slopes, modulo 2^32, as a sliver's may wrap there. */
 static inline lane lane_of_slopes(const glint_slopes *s, int32_t a, int32_t d1, int32_t d2) {
     return (lane){(int32_t)glint_weigh(d1, s->x1, d2, s->x2), (int32_t)glint_weigh(d1, s->y1, d2, s->y2),
                   glint_add_wrap(a * (1 << 14), (int32_t)glint_weigh(d1, s->start1, d2, s->start2))};
 }
 
-/* Rounds Q29 to 2^-16. */
-static inline uint32_t to_half(int32_t channel) {
+/* Rounds a channel from Q29 to Q16. */
+static inline uint32_t to_q16(int32_t channel) {
     return (uint32_t)glint_shift_right(glint_add_wrap(channel, 1 << 12), 13);
 }
 
-/* Sets lanes from the tile's first pixel on, given those at pixel (x, y) of it. */
+/* Sets the word of red and blue from the tile's first pixel on, given lanes at its pixel (x, y). */
 static inline void set_red_blue(glint_lanes *to, const lane *red, const lane *blue, uint32_t x, uint32_t y) {
-    const uint32_t dx = (to_half(blue->dx) << 16) + to_half(red->dx), dy = (to_half(blue->dy) << 16) + to_half(red->dy);
-    to[0].red_blue = (to_half(blue->start) << 16) + to_half(red->start) - dx * x - dy * y;
+    const uint32_t dx = (to_q16(blue->dx) << 16) + to_q16(red->dx), dy = (to_q16(blue->dy) << 16) + to_q16(red->dy);
+    to[0].red_blue = (to_q16(blue->start) << 16) + to_q16(red->start) - dx * x - dy * y;
     to[1].red_blue = dx;
     to[2].red_blue = dy;
 }
 
+/* Sets the word of green likewise. */
 static inline void set_green(glint_lanes *to, const lane *green, uint32_t x, uint32_t y) {
     const uint32_t dx = (uint32_t)green->dx << 3, dy = (uint32_t)green->dy << 3;
     to[0].green = ((uint32_t)green->start << 3) - dx * x - dy * y;
@@ -245,6 +252,7 @@ static inline void set_green(glint_lanes *to, const lane *green, uint32_t x, uin
     to[2].green = dy;
 }
 
+/* Sets the lanes of a large triangle. */
 static GLINT_NOINLINE void begin_gradients(glint_row_walk *walk) {
     const int16_t *a = colour_at(walk, 0), *b = colour_at(walk, 1), *c = colour_at(walk, 2);
     const glint_gradients *g = &walk->part->gradients;
@@ -256,15 +264,16 @@ static GLINT_NOINLINE void begin_gradients(glint_row_walk *walk) {
 }
 
 /*
- * What is linear over w bends away from the plane through its corners, on the average over the triangle by
- * (2 w1 - w2) / 12 w0 of its difference d1 between the second and the first corner, and the same of w2 and d2; w1 and
- * w2 are differences too. Planes are moved by as much, which weights at the start are, 2^-14: by 2^-13 of a difference.
+ * Moves the planes of colours by their mean deviation. A value that is linear over w deviates from the plane through
+ * its corners, on the average over the triangle, by d1 (2 w1 - w2) / 12 w0 + d2 (2 w2 - w1) / 12 w0, where d1 and d2
+ * are the differences of the value from the first corner, w1 and w2 those of 1/w, and w0 is 1/w there. As the slopes'
+ * weights of d1 and d2 at the start are Q14, planes are off by up to 2^-13 of a difference.
  */
 static inline void add_curvature(glint_slopes *s, int32_t wa, int32_t to_b, int32_t to_c) {
     const unsigned zeros = glint_leading_zeros((uint32_t)wa | 1);
-    const int32_t reciprocal = glint_reciprocal16((uint32_t)wa << zeros >> 16); /* 2^31 / w0, of 16 bits */
+    const int32_t reciprocal = glint_reciprocal16((uint32_t)wa << zeros >> 16); /* 2^31 over w0 of 16 bits */
     const int32_t twelfth = glint_shift_right(reciprocal * 5461, 16);
-    /* w1 and w2 are below 16 w0: these have 30 bits */
+    /* both have up to 30 bits, as w1 and w2 are below 16 w0 */
     const int32_t w1 = glint_shift_left(glint_shift_right(to_b, 5), zeros - 1),
                   w2 = glint_shift_left(glint_shift_right(to_c, 5), zeros - 1);
     s->start1 = glint_add_wrap(s->start1, glint_shift_right(glint_shift_right(2 * w1 - w2, 14) * twelfth, 13));
@@ -272,8 +281,9 @@ static inline void add_curvature(glint_slopes *s, int32_t wa, int32_t to_b, int3
 }
 
 /*
- * Rounding must keep within half of what has been added to levels (glint_finish_corner). Slopes of red and blue are
- * rounded by half of 2^-16 a pixel, in x and in y; weights by half of 2^-14 of the corners' difference.
+ * Returns whether rounding keeps within half of the margin that glint_finish_corner has added to levels. Slopes of red
+ * and blue are rounded by up to half of 2^-16 a pixel, in x and in y; weights by up to half of 2^-14 of the corners'
+ * difference.
  */
 static int has_room(const glint_format *format, const glint_vertex *const v[3], uint32_t most_apart) {
     const int32_t x = glint_most_of(v[0]->x, v[1]->x, v[2]->x) - glint_least_of(v[0]->x, v[1]->x, v[2]->x);
@@ -287,40 +297,41 @@ static int has_room(const glint_format *format, const glint_vertex *const v[3], 
 
 /* ---- Colours at corners ---- */
 
-/* By how much 1/w changes over a triangle, and how much of it, times the largest difference of colours, is too much. */
+/* The change of 1/w over a triangle, and the largest product of this and a difference of colours for which colours
+ * count as linear on the screen. */
 typedef struct colour_bend {
     uint32_t change, level;
 } colour_bend;
 
-/* Of 1/w at a corner, and its differences at the others. */
+/* Finds the bend, given 1/w at a corner, and its differences at the others. */
 static inline colour_bend find_bend(const glint_row_walk *walk, int32_t w, int32_t to_b, int32_t to_c) {
     const int32_t least = glint_least_of(0, to_b, to_c), most = glint_most_of(0, to_b, to_c);
     return (colour_bend){((uint32_t)(most - least) >> 15) + 1,
-                         (4 * CLOSE >> walk->colour_bits) * ((uint32_t)(w + least) >> 15)};
+                         (4 * MOST_DEVIATION >> walk->colour_bits) * ((uint32_t)(w + least) >> 15)};
 }
 
-/* Returns no less than find_apart, and less than twice as much. */
+/* Returns an upper bound of find_apart, less than twice as large. */
 static inline uint32_t bound_apart(const int16_t *a, const int16_t *b, const int16_t *c) {
     return glint_magnitude_bits(b[0] - a[0]) | glint_magnitude_bits(b[1] - a[1]) | glint_magnitude_bits(b[2] - a[2]) |
            glint_magnitude_bits(c[0] - a[0]) | glint_magnitude_bits(c[1] - a[1]) | glint_magnitude_bits(c[2] - a[2]);
 }
 
-/* May the colours of any triangle be linear on the screen, by a plane that is moved, 1, or by the one through its
- * corners, which is off by twice as much, 2? */
+/* Returns whether the colours of a triangle count as linear on the screen, given their largest difference. `off` is 1
+ * if planes are moved by add_curvature, and 2 if they go through the corners, which deviates by twice as much. */
 static GLINT_NOINLINE int are_linear(const glint_row_walk *walk, uint32_t off, uint32_t apart) {
     const glint_vertex *const *v = walk->triangle.corners;
     const int32_t w = v[0]->inverse_w;
-    const colour_bend of = find_bend(walk, w, v[1]->inverse_w - w, v[2]->inverse_w - w);
-    return walk->colour_bits && !walk->is_deep && apart * of.change <= of.level / off;
+    const colour_bend bend = find_bend(walk, w, v[1]->inverse_w - w, v[2]->inverse_w - w);
+    return walk->colour_bits && !walk->is_deep && apart * bend.change <= bend.level / off;
 }
 
-/* The same of colours in two words. */
+/* Returns whether the colours of a triangle may be linear on the screen, and stepped in two words. */
 static GLINT_NOINLINE int are_linear_lanes(const glint_row_walk *walk, uint32_t off) {
     const uint32_t apart = find_apart(colour_at(walk, 0), colour_at(walk, 1), colour_at(walk, 2));
     return are_linear(walk, off, apart) && has_room(walk->frame->config.format, walk->triangle.corners, apart);
 }
 
-/* Begins colours by gradients. */
+/* Sets the colours of a large triangle. */
 static void begin_large_colours(glint_row_walk *walk) {
     if (!are_linear_lanes(walk, 2)) {
         begin_divided(walk);
@@ -330,13 +341,14 @@ static void begin_large_colours(glint_row_walk *walk) {
     walk->draw_span = walk->frame->config.format->smooth;
 }
 
-/* May the colours of a small triangle be linear? */
+/* Returns whether the colours of a small triangle may be linear on the screen, given 1/w at a corner and its
+ * differences at the others. */
 static inline int are_close(const glint_row_walk *walk, int32_t w, int32_t to_b, int32_t to_c, const int16_t *a,
                             const int16_t *b, const int16_t *c) {
     if (walk->is_exacting)
         return are_linear_lanes(walk, 1);
-    const colour_bend of = find_bend(walk, w, to_b, to_c);
-    return bound_apart(a, b, c) * of.change <= of.level || find_apart(a, b, c) * of.change <= of.level;
+    const colour_bend bend = find_bend(walk, w, to_b, to_c);
+    return bound_apart(a, b, c) * bend.change <= bend.level || find_apart(a, b, c) * bend.change <= bend.level;
 }
 
 int glint_bend_slopes(const glint_row_walk *walk, glint_slopes *slopes, const int16_t *a, const int16_t *b,
@@ -349,7 +361,7 @@ int glint_bend_slopes(const glint_row_walk *walk, glint_slopes *slopes, const in
     return 1;
 }
 
-/* Begins the colours of a small triangle that has slopes. @return 0 where they are divided */
+/* Sets the colours of a small triangle that has slopes. @return 0 if they are divided at pixels */
 static GLINT_NOINLINE int begin_small_colours(glint_row_walk *walk) {
     static const uint8_t next[5] = {0, 1, 2, 0, 1};
     const glint_vertex *const *v = walk->from_top;
@@ -378,6 +390,7 @@ static GLINT_NOINLINE int begin_small_colours(glint_row_walk *walk) {
     return 1;
 }
 
+/* Sets depth and colours of a triangle, and draws its first span. */
 static void begin_lit(glint_row_walk *walk, int32_t row, int32_t left, int32_t right) {
     glint_begin_depth(walk);
     begin_large_colours(walk);

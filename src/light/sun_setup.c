@@ -88,7 +88,7 @@ static inline uint32_t least_of(uint32_t a, uint32_t b, uint32_t c) {
 /* The largest square of a difference between normals, 1 = 2^28, for which scalars serve. */
 #define MOST_TURN (1u << 27)
 
-/* Sets N' at a corner: its normal times its 1/w, 1 = 2^15. @return N'.N', 1 = 2^28 */
+/* Sets N' at a corner, 1 = 2^14, given its normal and its 1/w, both 1 = 2^15. @return N'.N', 1 = 2^28 */
 static GLINT_SPECIAL uint32_t set_normal(int32_t n[3], const int16_t *normal, int32_t over_w) {
     const int32_t half = 1 << 15, x = glint_shift_right(normal[0] * over_w + half, 16),
                   y = glint_shift_right(normal[1] * over_w + half, 16),
@@ -233,8 +233,9 @@ static inline int32_t find_cosine(int32_t light_view) {
     return glint_shift_right(light_view, 13) - (1 << 14);
 }
 
-/* Returns the second order, 1 = 2^28, that V over its z adds to a scalar product of V: k1 and k2, 1 = 2^14, say by how
- * much 1 / z at the other corners exceeds 1 / z at the first one, and the product differs by change1 and change2. */
+/* Returns the second order, 1 = 2^28, that weights of 1 / z add to a scalar product of V. z at the first corner over z
+ * at the second and the third is 1 + k1 and 1 + k2, 1 = 2^14; the product there differs by change1 and change2 from
+ * that at the first corner. */
 static inline second_order second_order_of_depth(int32_t k1, int32_t k2, int32_t change1, int32_t change2) {
     change1 = glint_shift_right(change1, 14);
     change2 = glint_shift_right(change2, 14);

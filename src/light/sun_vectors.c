@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: MIT */
-/* The vectors of suns: what vertices keep, and highlights that are found at each fragment. suns.h */
+/* Finds the vectors of suns: terms of vertices, and highlights of single fragments. suns.h */
 #include "../geometry/draw.h"
 #include "../raster/small.h"
 #include "lamps.h"
 #include "suns.h"
 
-/* Makes a vector below GLINT_MOST_RAY unit, 1 = 2^bits, up to 15; one of less than `least`, squared, becomes 0. */
+/* Makes a vector below GLINT_MOST_RAY unit, 1 = 2^bits, up to 15 bits. If its square is below `least`, it becomes 0. */
 static GLINT_SPECIAL void make_vector_unit(int32_t v[3], uint32_t least, unsigned bits) {
     uint32_t square = (uint32_t)(v[0] * v[0]) + (uint32_t)v[1] * (uint32_t)v[1] + (uint32_t)v[2] * (uint32_t)v[2];
     if (square < least) {
@@ -23,12 +23,12 @@ static GLINT_SPECIAL void make_vector_unit(int32_t v[3], uint32_t least, unsigne
     v[2] = glint_shift_right(v[2] * over + half, down);
 }
 
-/* Finds the unit vector to the eye from a point of the screen, 28.4. @return 0 where it lies too far out */
+/* Finds V, unit, at a point of the screen in sixteenths of a pixel. @return 0 if the point is too far outside */
 static GLINT_SPECIAL int find_view(const glint_frame *frame, const glint_suns *suns, int32_t x, int32_t y, int32_t v[3],
                                    unsigned bits) {
     const int32_t scale = frame->view->ray_scale;
     int32_t none = 0;
-    GLINT_OPAQUE(none); /* else compilers store two zeros from a register of the FPU */
+    GLINT_OPAQUE(none); /* else compilers store both zeros from a register of the FPU */
     v[0] = v[1] = none;
     v[2] = 1 << bits;
     if (!suns->is_local)
@@ -45,21 +45,23 @@ static GLINT_SPECIAL int find_view(const glint_frame *frame, const glint_suns *s
     return 1;
 }
 
-/* The least |L + V|^2, 1 = 2^28, that gives a direction; fragments near it fit nowhere. */
+/* If |L + V|^2, 1 = 2^28, is below this, the direction of H is too imprecise: terms are then 0, and scalars do not
+ * serve triangles that have them. */
 #define LEAST_HALF (1u << 22)
 
-/* What sin^2, Q16, may be less than rounding makes it. */
+/* sin^2, Q16, may be too large by this, because of rounding. */
 #define OUTSIDE_MARGIN 16
 
-/* Returns sin^2 of half the angle between V and the mirrored L, Q30, given N, L and V, 1 = 2^15. */
+/* Returns sin^2 of half the angle between V and the mirrored L, Q30, given N, L and V, 1 = 2^15: it is
+ * (1 + L.V) / 2 - N.L N.V. */
 static inline int32_t sine_of_mirrored(const int32_t n[3], const int32_t light[3], const int32_t v[3]) {
     const int32_t facing = glint_shift_right(n[0] * light[0] + n[1] * light[1] + n[2] * light[2], 15),
                   seen = glint_shift_right(n[0] * v[0] + n[1] * v[1] + n[2] * v[2], 15),
-                  along = glint_shift_right(light[0] * v[0] + light[1] * v[1] + light[2] * v[2], 15);
-    return ((1 << 15) + along) * (1 << 14) - facing * seen;
+                  light_dot_view = glint_shift_right(light[0] * v[0] + light[1] * v[1] + light[2] * v[2], 15);
+    return ((1 << 15) + light_dot_view) * (1 << 14) - facing * seen;
 }
 
-/* Finds what a vertex keeps of a light, given N, 1 = 2^15, and V, 1 = 2^14. */
+/* Finds a vertex's term of a light, given N, 1 = 2^15, and V, 1 = 2^14. */
 static inline void find_term(const glint_suns *suns, const glint_drawn_sun *sun, const int32_t n[3], const int32_t v[3],
                              glint_sun_term *to) {
     int32_t h[3] = {v[0], v[1], v[2]}, sine;
@@ -78,7 +80,7 @@ static inline void find_term(const glint_suns *suns, const glint_drawn_sun *sun,
     to->outside = (uint16_t)glint_least(glint_most(glint_shift_right(sine, 14) - OUTSIDE_MARGIN, 0), UINT16_MAX);
 }
 
-/* Finds what a vertex keeps. @return 0 where it cannot be lit */
+/* Finds the terms of a vertex. @return 0 if it has no V */
 static int light_vertex(const glint_frame *frame, const glint_suns *suns, const glint_vertex *vertex,
                         glint_sun_term *to) {
     const int32_t n[3] = {vertex->attribute[0], vertex->attribute[1], vertex->attribute[2]};
@@ -111,10 +113,7 @@ void glint_light_sun_vertices(const glint_frame *frame, glint_draw *draw, const 
 
 /* ---- Fragments ---- */
 
-/*
- * Returns 1 - cos^2 between N and L + V, Q30, of vectors of 15 bits: from the chord between both, which is short where
- * a highlight is, so that errors of their lengths count squared. Off by 2^-14.5 of an angle.
- */
+/* The chord between N and H = L + V serves, as it is short inside of a highlight: errors of lengths count squared. */
 GLINT_NOINLINE uint32_t glint_sine_by_chord(const int32_t n[3], const int32_t v[3], const int32_t l[3]) {
     const int32_t x = glint_shift_right(v[0] + l[0], 1), y = glint_shift_right(v[1] + l[1], 1),
                   z = glint_shift_right(v[2] + l[2], 1);
