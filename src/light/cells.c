@@ -84,7 +84,7 @@ static GLINT_NOINLINE void light_nodes(cell_rows *r, int k, uint32_t y, uint32_t
         const int32_t column = (int32_t)(n * NODE_STEP), row = (int32_t)y, z = (int32_t)glint_z_at(walk, row, column);
         if (missing >> n & 1 && z > (int32_t)GLINT_DEPTH_BIAS &&
             (!walk->list->room || glint_lamp_plane(&walk->w, row, column) > 0)) {
-            f->at = y << 16 | (uint32_t)column;
+            f->position = y << 16 | (uint32_t)column;
             f->inverse_w = (z - (int32_t)GLINT_DEPTH_BIAS) | 1;
             f->is_rough = f->unseen = 0;
             f++;
@@ -94,7 +94,7 @@ static GLINT_NOINLINE void light_nodes(cell_rows *r, int k, uint32_t y, uint32_t
         glint_lamps_light(walk, first, f);
         while (f != first)
             if (!(--f)->is_rough)
-                set_node(r, k, (f->at & 0xffff) / NODE_STEP, f);
+                set_node(r, k, (f->position & 0xffff) / NODE_STEP, f);
     }
 }
 

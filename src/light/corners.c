@@ -162,16 +162,16 @@ static int32_t bring_place(const glint_corner_space *space, const int32_t world[
     uint32_t most = 0;
     for (int i = 0; i < 3; i++)
         way[i] = (int64_t)world[i] * (1 << 12) - space->middle[i];
-    const int32_t exact = turn_vector(space, way, to->at) - space->exponent, shift = glint_most(exact, 0);
+    const int32_t exact = turn_vector(space, way, to->vector) - space->exponent, shift = glint_most(exact, 0);
     to->shift = (uint8_t)glint_least(shift, 31);
     for (int i = 0; i < 3; i++) {
         if (exact < 0)
-            to->at[i] = glint_shift_right(to->at[i], (unsigned)glint_least(-exact, 31));
-        most |= glint_magnitude_bits(to->at[i]) + ((uint32_t)space->range[i] >> to->shift) + 2;
+            to->vector[i] = glint_shift_right(to->vector[i], (unsigned)glint_least(-exact, 31));
+        most |= glint_magnitude_bits(to->vector[i]) + ((uint32_t)space->range[i] >> to->shift) + 2;
     }
     to->down = (uint8_t)glint_most(17 - (int32_t)glint_leading_zeros(most), 0);
     for (int i = 0; i < 3; i++)
-        to->at[i] += 1 << to->down >> 1;
+        to->vector[i] += 1 << to->down >> 1;
     return shift;
 }
 
@@ -194,7 +194,7 @@ static void bring_light(const glint_corner_space *space, const glint_light *ligh
     if (light->type->bring)
         light->type->bring(light, space, bring_place(space, position, &to->place) + space->exponent, to);
     else
-        glint_corner_towards(space, light, to->place.at);
+        glint_corner_towards(space, light, to->place.vector);
 }
 
 /* Sets the products of two extents, scaled so that the largest has 30 bits. */
@@ -233,7 +233,7 @@ static void bring_lights(const glint_frame *frame, const glint_draw *draw, glint
     if (to->is_local)
         bring_place(&space, frame->view->eye, &to->eye);
     else
-        bring_direction(&space, towards_eye, to->eye.at);
+        bring_direction(&space, towards_eye, to->eye.vector);
     for (uint32_t i = 0; lights >> i; i++) {
         glint_corner_light *light = &to->lights[to->count];
         if (!(lights >> i & 1))
@@ -271,9 +271,9 @@ static GLINT_NOINLINE void add_point_lights(const glint_corner_lights *lights, c
     const glint_corner_light *light = lights->lights, *const end = light + lights->count;
     const glint_power_table *const table = &lights->shading->power;
     glint_corner_sight towards, view;
-    const int32_t *towards_eye = lights->is_local ? 0 : lights->eye.at;
+    const int32_t *towards_eye = lights->is_local ? 0 : lights->eye.vector;
     for (; light != end; light++) {
-        const int32_t *direction = light->place.at;
+        const int32_t *direction = light->place.vector;
         uint32_t strength = 1u << 15;
         int32_t cosine;
         if (light->reach) {

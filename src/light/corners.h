@@ -32,7 +32,7 @@ typedef struct glint_corner_space {
 
 /** The place of a light or of the eye, as points of an object see it. */
 typedef struct glint_corner_place {
-    int32_t at[3]; /* in units of 2^shift; 2^down / 2 is added, so that cutting the way off rounds it */
+    int32_t vector[3]; /* in units of 2^shift; 2^down / 2 is added, so that cutting the way off rounds it */
     uint8_t shift;
     uint8_t down; /* the way from any point has 15 bits when it is shifted right by this */
 } glint_corner_place;
@@ -42,7 +42,7 @@ typedef struct glint_corner_light {
     glint_reach_light *reach; /* null of directional lights */
     const glint_prepared_light *source;
     const glint_weights *weights;
-    glint_corner_place place;   /* directional: `at` is the unit vector towards the light */
+    glint_corner_place place;   /* directional: `vector` is the unit vector towards the light */
     uint8_t shines;             /* its specular light is visible */
     uint8_t is_gated;           /* it has no highlight at points that face away from it */
     int16_t axis[3];            /* spot: unit vector opposite to its axis; */
@@ -62,7 +62,7 @@ typedef struct glint_corner_lights {
     uint8_t has_colours;   /* the mesh's vertices have colours of their own */
     uint8_t is_even;       /* the space is the mesh's own, scaled evenly; else it is the camera's */
     uint8_t is_cubic;      /* the mesh's three extents are equal */
-    uint8_t is_local;      /* the eye has a place; else `eye.at` is the unit vector towards it */
+    uint8_t is_local;      /* the eye has a place; else `eye.vector` is the unit vector towards it */
     uint8_t takes_largest; /* the larger of ambient and all other light is taken, not their sum */
     glint_corner_place eye;
     int32_t matrix[3][3]; /* from steps of the mesh to places, 15 bits; in an even space only its diagonal is set */
@@ -112,9 +112,9 @@ void glint_corner_see_near(const glint_corner_place *place, const glint_lit_poin
 static inline int glint_corner_see(const glint_corner_place *place, const glint_lit_point *point, uint32_t is_gated,
                                    glint_corner_sight *to) {
     const unsigned shift = place->shift, down = place->down;
-    const int32_t x = glint_shift_right(place->at[0] - glint_shift_right(point->place[0], shift), down),
-                  y = glint_shift_right(place->at[1] - glint_shift_right(point->place[1], shift), down),
-                  z = glint_shift_right(place->at[2] - glint_shift_right(point->place[2], shift), down);
+    const int32_t x = glint_shift_right(place->vector[0] - glint_shift_right(point->place[0], shift), down),
+                  y = glint_shift_right(place->vector[1] - glint_shift_right(point->place[1], shift), down),
+                  z = glint_shift_right(place->vector[2] - glint_shift_right(point->place[2], shift), down);
     const uint32_t square = (uint32_t)(x * x) + (uint32_t)(y * y) + (uint32_t)(z * z);
     const unsigned zeros = glint_leading_zeros(square) & ~1u;
     if (zeros > GLINT_CORNER_ZEROS) {

@@ -35,12 +35,12 @@ static inline int16_t divide_channel(int32_t over_w, uint32_t zeros, int32_t rec
     return (int16_t)glint_least(colour, GLINT_COLOUR_ONE);
 }
 
-/* Divides the three channels of a colour by 1/w, the fourth number, which is clamped to one step or more. */
-static GLINT_NOINLINE void divide_colour(const int32_t at[4], int16_t colour[3]) {
-    const uint32_t w = (uint32_t)glint_most(at[3], 1), zeros = glint_leading_zeros(w);
+/* Divides the three channels of a colour over w by 1/w, the fourth number, which is clamped to one step or more. */
+static GLINT_NOINLINE void divide_colour(const int32_t over_w[4], int16_t colour[3]) {
+    const uint32_t w = (uint32_t)glint_most(over_w[3], 1), zeros = glint_leading_zeros(w);
     const int32_t reciprocal = glint_reciprocal16(w << zeros >> 16);
     for (int c = 0; c < 3; c++)
-        colour[c] = divide_channel(at[c], zeros, reciprocal);
+        colour[c] = divide_channel(over_w[c], zeros, reciprocal);
 }
 
 /* Draws a span whose colours are divided at each pixel. */
@@ -48,20 +48,20 @@ static GLINT_NOINLINE void draw_divided_pixels(glint_row_walk *walk, int32_t row
     const glint_config *config = &walk->frame->config;
     const glint_plane *const c = walk->channel;
     const int32_t x = walk->part->x + left, y = walk->part->y + row;
-    int32_t at[4] = {glint_plane_at(&c[0], x, y), glint_plane_at(&c[1], x, y), glint_plane_at(&c[2], x, y),
-                     glint_plane_at(&walk->w, x, y)};
+    int32_t over_w[4] = {glint_plane_at(&c[0], x, y), glint_plane_at(&c[1], x, y), glint_plane_at(&c[2], x, y),
+                         glint_plane_at(&walk->w, x, y)};
     uint32_t z = glint_z_at(walk, row, left), pixel = ((uint32_t)row << walk->shift) + (uint32_t)left;
     for (const uint32_t end = pixel + (uint32_t)(right - left); pixel < end; pixel++, z += (uint32_t)walk->z.dx) {
         if (glint_is_nearest((uint8_t *)&walk->depth[pixel], (uint32_t)glint_most((int32_t)z, GLINT_DEPTH_BIAS))) {
             int16_t colour[3];
-            divide_colour(at, colour);
+            divide_colour(over_w, colour);
             if (config->gamma)
                 glint_finish_lane_levels(config, colour, colour);
             config->format->put(walk, pixel, glint_lanes_of(colour));
         }
         for (int i = 0; i < 3; i++)
-            at[i] = glint_add_wrap(at[i], c[i].dx);
-        at[3] = glint_add_wrap(at[3], walk->w.dx);
+            over_w[i] = glint_add_wrap(over_w[i], c[i].dx);
+        over_w[3] = glint_add_wrap(over_w[3], walk->w.dx);
     }
 }
 
@@ -95,10 +95,10 @@ typedef struct colour_node {
 
 static void find_node(const glint_row_walk *walk, int32_t row, int32_t column, colour_node *to) {
     const int32_t x = walk->part->x + column, y = walk->part->y + row;
-    const int32_t at[4] = {glint_plane_at(&walk->channel[0], x, y), glint_plane_at(&walk->channel[1], x, y),
-                           glint_plane_at(&walk->channel[2], x, y), glint_plane_at(&walk->w, x, y)};
-    to->w = at[3];
-    divide_colour(at, to->colour);
+    const int32_t over_w[4] = {glint_plane_at(&walk->channel[0], x, y), glint_plane_at(&walk->channel[1], x, y),
+                               glint_plane_at(&walk->channel[2], x, y), glint_plane_at(&walk->w, x, y)};
+    to->w = over_w[3];
+    divide_colour(over_w, to->colour);
 }
 
 /* Returns whether colours may be interpolated between two nodes: they then deviate by at most a quarter of a level, or
@@ -363,14 +363,13 @@ int glint_bend_slopes(const glint_row_walk *walk, glint_slopes *slopes, const in
 
 /* Sets the colours of a small triangle that has slopes. @return 0 if they are divided at pixels */
 static GLINT_NOINLINE int begin_small_colours(glint_row_walk *walk) {
-    static const uint8_t next[5] = {0, 1, 2, 0, 1};
     const glint_vertex *const *v = walk->from_top;
     const int16_t *a = v[0]->attribute, *b = v[1]->attribute, *c = v[2]->attribute;
     const int32_t wa = v[0]->inverse_w, w1 = v[1]->inverse_w - wa, w2 = v[2]->inverse_w - wa;
     const uint32_t bend = glint_magnitude_bits(w1) | glint_magnitude_bits(w2);
     if (walk->triangle.back) {
-        const uint8_t *from = &next[walk->corners.top];
-        a = walk->triangle.extra[from[0]], b = walk->triangle.extra[from[1]], c = walk->triangle.extra[from[2]];
+        const uint8_t *order = glint_corner_order(walk->corners.top);
+        a = walk->triangle.extra[order[0]], b = walk->triangle.extra[order[1]], c = walk->triangle.extra[order[2]];
     }
     const int is_bent = bend > (uint32_t)wa >> 6 || walk->is_exacting;
     if (is_bent && !are_close(walk, wa, w1, w2, a, b, c)) {

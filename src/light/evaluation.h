@@ -40,6 +40,12 @@ static inline const glint_suns_stage *glint_find_suns(const glint_scene *scene) 
     return 0;
 }
 
+/** Returns the numbers of a triangle's corners in the order of slopes, which begins with corner `top`. */
+static GLINT_INLINE const uint8_t *glint_corner_order(uint32_t top) {
+    static const uint8_t next[5] = {0, 1, 2, 0, 1};
+    return &next[top];
+}
+
 /** Changes the slopes of a small triangle so that colours a, b, c of its corners, in the order of slopes, may be linear
  * on the screen.
  * @return 0 if perspective bends them too much for that */

@@ -206,8 +206,7 @@ static inline glint_sides sides_of(const glint_corners *corners) {
 
 /* Returns the numbers of a triangle's corners, in the order that set_plane expects. */
 static inline const uint8_t *order_of(const glint_row_walk *walk) {
-    static const uint8_t next[5] = {0, 1, 2, 0, 1};
-    return &next[walk->has_slopes ? walk->corners.top : 0];
+    return glint_corner_order(walk->has_slopes ? walk->corners.top : 0);
 }
 
 /*
@@ -241,10 +240,10 @@ static inline void set_plane(const glint_row_walk *walk, const glint_sides *side
 
 void glint_set_fine_w(glint_row_walk *walk) {
     const glint_sides sides = sides_of(&walk->corners);
-    const uint8_t *from = order_of(walk);
+    const uint8_t *order = order_of(walk);
     int32_t w[3];
     for (int i = 0; i < 3; i++)
-        w[i] = (int32_t)((uint32_t)walk->triangle.corners[from[i]]->inverse_w << walk->list->up >> 1);
+        w[i] = (int32_t)((uint32_t)walk->triangle.corners[order[i]]->inverse_w << walk->list->up >> 1);
     set_plane(walk, &sides, &walk->w, w[0], w[1], w[2]);
     walk->list->has_w = 1;
 }
@@ -270,10 +269,10 @@ static inline int32_t attribute_over_w(const weighed_corner *corner, int c) {
 static GLINT_NOINLINE void set_planes(const glint_row_walk *walk, glint_plane planes[3],
                                       const int16_t *const attributes[3], int32_t sign) {
     const glint_sides sides = sides_of(&walk->corners);
-    const uint8_t *from = order_of(walk);
-    const weighed_corner p = weigh_corner(walk, attributes[from[0]], from[0], sign),
-                         q = weigh_corner(walk, attributes[from[1]], from[1], sign),
-                         r = weigh_corner(walk, attributes[from[2]], from[2], sign);
+    const uint8_t *order = order_of(walk);
+    const weighed_corner p = weigh_corner(walk, attributes[order[0]], order[0], sign),
+                         q = weigh_corner(walk, attributes[order[1]], order[1], sign),
+                         r = weigh_corner(walk, attributes[order[2]], order[2], sign);
     for (int c = 0; c < 3; c++)
         set_plane(walk, &sides, &planes[c], attribute_over_w(&p, c), attribute_over_w(&q, c), attribute_over_w(&r, c));
 }
@@ -281,14 +280,14 @@ static GLINT_NOINLINE void set_planes(const glint_row_walk *walk, glint_plane pl
 void glint_list_span(glint_row_walk *walk, int32_t row, int32_t left, int32_t right) {
     glint_lamp_list *const list = walk->list;
     glint_lit_fragment *f = &list->fragment[list->count];
-    uint32_t z = glint_z_at(walk, row, left), at = ((uint32_t)row << 16) + (uint32_t)left,
+    uint32_t z = glint_z_at(walk, row, left), position = ((uint32_t)row << 16) + (uint32_t)left,
              pixel = ((uint32_t)row << walk->shift) + (uint32_t)left;
     uint8_t *depth = (uint8_t *)(walk->depth + ((uint32_t)row << walk->shift) + left), *const end =
                                                                                            depth + 2 * (right - left);
     for (;;) {
         const uint32_t here = (uint32_t)glint_most((int32_t)z, GLINT_DEPTH_BIAS);
         if (glint_is_nearest(depth, here)) {
-            f->at = at;
+            f->position = position;
             f->unseen = 0;
             f->out.pixel = pixel;
             f->inverse_w = (int32_t)(here - GLINT_DEPTH_BIAS) | 1;
@@ -301,7 +300,7 @@ void glint_list_span(glint_row_walk *walk, int32_t row, int32_t left, int32_t ri
         depth += 2;
         if (depth == end)
             break;
-        at++;
+        position++;
         pixel++;
         z += (uint32_t)walk->z.dx;
     }

@@ -24,7 +24,7 @@
 /** A fragment to be lit. */
 typedef struct glint_lit_fragment {
     glint_list_pixel out; /* the colour is in levels, Q27 */
-    uint32_t at;          /* row in the tile times 2^16, plus column */
+    uint32_t position;    /* row in the tile times 2^16, plus column */
     int32_t inverse_w;    /* 1/w, Q31, times 2^room of glint_lamp_list */
     uint32_t square;      /* N'.N', where suns light it: suns.h */
     uint8_t is_rough;     /* light changes too much around it to be interpolated; set for cells.c alone */
@@ -141,12 +141,12 @@ static inline int32_t glint_lamp_plane(const glint_plane *plane, int32_t row, in
 
 /** Returns the row of a fragment in its tile. */
 static inline int32_t glint_fragment_row(const glint_lit_fragment *f) {
-    return (int32_t)(f->at >> 16);
+    return (int32_t)(f->position >> 16);
 }
 
 /** Returns the column of a fragment in its tile. */
 static inline int32_t glint_fragment_column(const glint_lit_fragment *f) {
-    return (int32_t)(f->at & 0xffff);
+    return (int32_t)(f->position & 0xffff);
 }
 
 /** Finds V, the vector from a fragment to the eye, in Q12 with all its bits. */

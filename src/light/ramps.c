@@ -126,18 +126,19 @@ static void fill_gloss(const glint_shading *shading, const glint_drawn_sun *sun,
     }
 }
 
-void glint_ramps_make(const glint_shading *shading, glint_drawn_sun *sun, uint32_t *at, const uint32_t *before) {
+void glint_ramps_make(const glint_shading *shading, glint_drawn_sun *sun, uint32_t *tables,
+                      const uint32_t *last_tables) {
     const size_t size = glint_ramps_size(sun);
     level_ramp r;
-    sun->ramp = at;
-    sun->gloss = sun->shines ? at + GLINT_RAMP_ENTRIES + 3 : 0;
-    if (at == before && glint_sum(at, size) == sun->sum)
+    sun->ramp = tables;
+    sun->gloss = sun->shines ? tables + GLINT_RAMP_ENTRIES + 3 : 0;
+    if (tables == last_tables && glint_sum(tables, size) == sun->sum)
         return;
     begin_diffuse_ramp(shading, sun, &r);
-    fill(&r, at, GLINT_RAMP_ENTRIES + 3);
+    fill(&r, tables, GLINT_RAMP_ENTRIES + 3);
     if (sun->shines)
-        fill_gloss(shading, sun, at + GLINT_RAMP_ENTRIES + 3);
-    sun->sum = glint_sum(at, size);
+        fill_gloss(shading, sun, tables + GLINT_RAMP_ENTRIES + 3);
+    sun->sum = glint_sum(tables, size);
 }
 
 /* ---- Where highlights end ---- */

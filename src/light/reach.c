@@ -33,7 +33,7 @@ uint32_t glint_corner_unit(int32_t v[3], int32_t *exponent) {
 void glint_corner_see_near(const glint_corner_place *place, const glint_lit_point *point, glint_corner_sight *to) {
     const int32_t half = 1 << place->down >> 1;
     for (int i = 0; i < 3; i++)
-        to->direction[i] = place->at[i] - half - glint_shift_right(point->place[i], place->shift);
+        to->direction[i] = place->vector[i] - half - glint_shift_right(point->place[i], place->shift);
     to->length = glint_corner_unit(to->direction, &to->exponent);
     to->cosine = glint_shift_right(glint_dot32(point->normal, to->direction), 15);
 }

@@ -50,13 +50,13 @@ typedef struct sighted {
 
 static void sight(const glint_light *light, const glint_view *view, const glint_object *object, sighted *to) {
     const glint_vector *const extent = &object->mesh->extent, *const offset = &object->mesh->offset;
-    const int32_t at[3] = {light->position.x, light->position.y, light->position.z},
+    const int32_t position[3] = {light->position.x, light->position.y, light->position.z},
                   size[3] = {extent->x, extent->y, extent->z}, middle[3] = {offset->x, offset->y, offset->z};
     int64_t way[3], half[3][3];
     uint64_t all = 0;
     for (int i = 0; i < 3; i++) {
         const int32_t *const m = object->pose.m[i];
-        way[i] = (int64_t)m[3] - at[i];
+        way[i] = (int64_t)m[3] - position[i];
         for (int j = 0; j < 3; j++) {
             way[i] += glint_shift_right64((int64_t)m[j] * middle[j], 16);
             half[j][i] = glint_shift_right64((int64_t)m[j] * size[j], 16);

@@ -120,14 +120,14 @@ static void list_span(glint_row_walk *walk, int32_t row, int32_t left, int32_t r
     const uint32_t x = (uint32_t)(left - walk->slopes.column), y = (uint32_t)(row - walk->slopes.row);
     const uint32_t bend = 2 * normal->xx;
     glint_stepped_quadratic square = glint_begin_quadratic(normal, x, y);
-    uint32_t z = glint_z_at(walk, row, left), at = ((uint32_t)row << 16) + (uint32_t)left,
+    uint32_t z = glint_z_at(walk, row, left), position = ((uint32_t)row << 16) + (uint32_t)left,
              pixel = ((uint32_t)row << walk->shift) + (uint32_t)left;
     uint16_t *depth = walk->depth + pixel, *const end = depth + (right - left);
     for (; depth != end; depth++) {
         if (z >> 15 > *depth) {
             *depth = (uint16_t)(z >> 15);
             f->out.pixel = pixel;
-            f->at = at;
+            f->position = position;
             f->square = square.value;
             f->inverse_w = (int32_t)(z - GLINT_DEPTH_BIAS) | 1;
             if (++f == &list->fragment[GLINT_LIST_MAX]) {
@@ -136,7 +136,7 @@ static void list_span(glint_row_walk *walk, int32_t row, int32_t left, int32_t r
                 f = list->fragment;
             }
         }
-        at++;
+        position++;
         pixel++;
         z += (uint32_t)walk->z.dx;
         glint_step_quadratic(&square, bend);

@@ -318,12 +318,12 @@ int glint_begin_suns(const glint_row_walk *walk, glint_sun_triangle *t) {
 /* Returns whether a light's highlight is not visible on a triangle whose normals are the same. */
 static int is_matt(const glint_row_walk *walk, const glint_suns *suns, size_t term) {
     const glint_draw *draw = walk->draw;
-    const glint_sun_term *at[3];
+    const glint_sun_term *terms[3];
     bend_products bends;
     for (int k = 0; k < 3; k++)
-        at[k] = draw->terms + (size_t)(walk->triangle.corners[k] - draw->vertices) * suns->terms + term;
-    const uint32_t bend = find_bends(&bends, at[0], at[1], at[2]);
-    return is_gloss_outside(suns, 0, bend, least_of(at[0]->outside, at[1]->outside, at[2]->outside));
+        terms[k] = draw->terms + (size_t)(walk->triangle.corners[k] - draw->vertices) * suns->terms + term;
+    const uint32_t bend = find_bends(&bends, terms[0], terms[1], terms[2]);
+    return is_gloss_outside(suns, 0, bend, least_of(terms[0]->outside, terms[1]->outside, terms[2]->outside));
 }
 
 GLINT_NOINLINE int glint_find_one_word(const glint_row_walk *walk, uint32_t *word) {

@@ -63,11 +63,10 @@ static inline void set_corners(const glint_row_walk *walk, glint_sun_triangle *t
 
 /* Sets a surface's own colours. @return 0 if they are not linear on the screen */
 static GLINT_NOINLINE int begin_own(const glint_row_walk *walk, glint_sun_triangle *t) {
-    static const uint8_t next[5] = {0, 1, 2, 0, 1};
-    const uint8_t *from = &next[walk->corners.top];
+    const uint8_t *order = glint_corner_order(walk->corners.top);
     glint_slopes s = walk->slopes;
     for (int k = 0; k < 3; k++)
-        t->own_at[k] = walk->triangle.extra[from[k]];
+        t->own_at[k] = walk->triangle.extra[order[k]];
     if (!glint_bend_slopes(walk, &s, t->own_at[0], t->own_at[1], t->own_at[2]))
         return 0;
     glint_begin_own(t, &s);

@@ -219,8 +219,9 @@ glint_draw_span *glint_begin_fine_suns(glint_row_walk *walk);
 /** Sets the words of ambient light, and the limits of highlights. */
 void glint_ramps_prepare(glint_suns *suns, const glint_shading *shading);
 
-/** Makes a light's tables at `at`, of glint_ramps_size bytes, unless the last frame left them there: at `before`. */
-void glint_ramps_make(const glint_shading *shading, glint_drawn_sun *sun, uint32_t *at, const uint32_t *before);
+/** Makes a light's tables, of glint_ramps_size bytes, unless the last frame left them in the same place. */
+void glint_ramps_make(const glint_shading *shading, glint_drawn_sun *sun, uint32_t *tables,
+                      const uint32_t *last_tables);
 
 /** Returns the bytes of a light's tables. */
 static inline size_t glint_ramps_size(const glint_drawn_sun *sun) {
