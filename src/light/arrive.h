@@ -16,7 +16,7 @@ typedef struct glint_lamp_way {
     int32_t vector[3];  /* D, each component below 2^15 */
     int32_t cosine;     /* N.D */
     uint32_t square;    /* D.D, */
-    uint32_t square_up; /* which is 2^square_up times the square in the unit of places */
+    uint32_t square_up; /* which is 2^square_up times the square in the unit of places; at least -2, modulo 2^32 */
 } glint_lamp_way;
 
 /** Finds the way to a light with square_up bits: where the way, or its component along N, is too short for 15 bits.
@@ -64,9 +64,9 @@ static inline uint32_t attenuate_any(const glint_drawn_lamp *lamp, uint32_t squa
  * `axial` is the component of the way along the axis, times 2^15; `over` is 2^31 over the way's length, 16 bits. */
 static inline uint32_t attenuate_by_cone(const glint_drawn_lamp *lamp, int32_t axial, uint32_t over) {
     const uint32_t size = (uint32_t)(axial < 0 ? -axial : axial) >> 15;
-    const int32_t cosine = (int32_t)(size * over >> 15),
-                  magnitude = cosine - (cosine >> 13),                  /* the axis is 2^15 / GLINT_UNIT too long */
-        past = (axial < 0 ? -magnitude : magnitude) - lamp->cone_outer; /* Q16 */
+    const int32_t cosine = (int32_t)(size * over >> 15);
+    const int32_t magnitude = cosine - (cosine >> 13); /* cone_outer has GLINT_UNIT^2 for 2^30, too */
+    const int32_t past = (axial < 0 ? -magnitude : magnitude) - lamp->cone_outer; /* Q16 */
     if (past <= 0)
         return 0;
     if (past >= lamp->cone_width)
@@ -77,8 +77,8 @@ static inline uint32_t attenuate_by_cone(const glint_drawn_lamp *lamp, int32_t a
 
 /*
  * Finds what arrives of a light at a fragment, given the way (x, y, z) to the light, N.D as `cosine`, and D.D, which is
- * 2^square_up times the square in the unit of places. `is_odd` says that the light has a cone, does not weaken as most
- * lights do, or is near.
+ * 2^square_up times the square in the unit of places. `is_odd` is set if the light has a cone, if attenuate_lamp does
+ * not serve it, if it is near, or if N.D is nearly 0.
  * @return 0 if nothing arrives
  */
 static GLINT_INLINE int arrive_by(const glint_drawn_lamp *lamp, const glint_lit_view *view, glint_arrival *to,

@@ -69,12 +69,12 @@ typedef struct glint_drawn_lamp {
     const glint_prepared_light *source;
     const struct glint_drawn_lamp *next; /* the next light of a list of those that the triangle may face */
     int32_t place[3];    /* below 2^15; e 2^-down plus it is the way to it. Directional: unit vector to it, 1 = 2^15 */
-    uint32_t near;       /* the way has too few bits if its square is below this, */
-    uint32_t usual;      /* and is_odd of arrive_by if below this */
-    uint32_t rough;      /* the way is a few pixels long if its square is below this, */
-    uint32_t cone_rough; /* and if below this, few pixels may cover the width of the cone there */
+    uint32_t near;       /* 15 bits are too few for a way whose square is below this */
+    uint32_t usual;      /* if its square is below this, a way is near, or the light has a cone, or it weakens oddly */
+    uint32_t rough;      /* a way whose square is below this is a few pixels long */
+    uint32_t cone_rough; /* if its square is below this, it may be, or a few pixels may be as wide as the cone */
     int32_t diffuse[3], specular[3]; /* weights in levels, Q12 */
-    int32_t cone_outer, cone_width;  /* cosine of a cone's outer angle, and what the inner angle's exceeds it by; Q16 */
+    int32_t cone_outer, cone_width;  /* cosine of a cone's outer angle, and that of the inner angle less this; Q16 */
     uint32_t over_width;             /* 2^30 / cone_width */
     uint16_t linear, quadratic;      /* as in `source`; 0 without a place */
     int8_t linear_shift, quadratic_shift; /* those of `source`, in the unit of glint_lamps */
