@@ -71,8 +71,7 @@ static inline uint32_t attenuate_by_cone(const glint_drawn_lamp *lamp, int32_t a
         return 0;
     if (past >= lamp->cone_width)
         return 1u << 15;
-    const uint32_t t = (uint32_t)past * lamp->over_width >> 15;
-    return (t * t >> 15) * ((3u << 15) - 2 * t) >> 15;
+    return glint_smooth_step((uint32_t)past * lamp->over_width >> 15);
 }
 
 /*

@@ -97,20 +97,14 @@ uint32_t glint_point_reach(const glint_corner_light *light, const glint_lit_poin
 
 /* ---- Spots ---- */
 
-/* Returns t^2 (3 - 2 t), Q15, for t = past slope / 2^30; `past` is 0 or more, the product at most 2^30. */
-static uint32_t smooth_step(int32_t past, int32_t slope) {
-    uint32_t t = (uint32_t)glint_shift_right(past * slope, 15);
-    return (t * t >> 15) * ((3u << 15) - 2 * t) >> 15;
-}
-
 /* Returns the part of a spot's light that its cone lets through, Q15, given the cosine between the way to the light and
  * the axis, times GLINT_UNIT^2. */
 static inline uint32_t attenuate_by_cone(const glint_prepared_light *light, int32_t cosine) {
     if (cosine >= light->spot.cosine_inner)
         return 1u << 15;
-    /* `past` is at most inner - outer, and `slope` is its inverse */
+    /* `past` is at most inner - outer, and `slope` is 2^30 over this: their product is at most 2^30 */
     const int32_t past = glint_shift_right(cosine - light->spot.cosine_outer, light->spot.shift);
-    return past > 0 ? smooth_step(past, light->spot.slope) : 0;
+    return past > 0 ? glint_smooth_step((uint32_t)glint_shift_right(past * light->spot.slope, 15)) : 0;
 }
 
 void glint_spot_bring(const glint_light *light, const glint_corner_space *space, int32_t place_exponent,

@@ -101,4 +101,9 @@ static inline uint32_t glint_power_at(const glint_power_table *table, uint32_t u
     return (uint32_t)(node[0] + glint_shift_right((node[1] - node[0]) * fraction, GLINT_POWER_FRACTION_BITS));
 }
 
+/** Returns t^2 (3 - 2 t), Q15, for t from 0 to 1, Q15: the smooth step of a spot's cone. */
+static inline uint32_t glint_smooth_step(uint32_t t) {
+    return (t * t >> 15) * ((3u << 15) - 2 * t) >> 15;
+}
+
 #endif

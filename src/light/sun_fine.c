@@ -47,21 +47,10 @@ static inline uint32_t find_power(const glint_row_walk *walk, const glint_lit_su
     return power_of_scaled(&walk->workspace->lamps->shading->power, f->square - (uint32_t)h * (uint32_t)h, over);
 }
 
-/* Finds a fragment's w, 16 bits. @return the leading zeros of its 1/w */
-static inline uint32_t find_w(const glint_row_walk *walk, const glint_lit_fragment *f, int32_t *w) {
-    *w = 1 << 16;
-    if (walk->frame->view->is_parallel)
-        return 0;
-    const uint32_t zeros = glint_leading_zeros((uint32_t)f->inverse_w);
-    *w = glint_reciprocal16((uint32_t)f->inverse_w << zeros >> 16);
-    return zeros;
-}
-
-/* Finishes a fragment's colour by glint_mix_own_colour. */
+/* Finishes a fragment's colour by glint_mix_own_colour, which does not use 1/w of parallel rays. */
 static GLINT_NOINLINE void finish_fragment(const glint_row_walk *walk, glint_lit_fragment *f, const int32_t gloss[3]) {
-    int32_t w;
-    const uint32_t zeros = find_w(walk, f, &w);
-    glint_mix_own_colour(walk, f, w, zeros, gloss);
+    const uint32_t zeros = glint_leading_zeros((uint32_t)f->inverse_w);
+    glint_mix_own_colour(walk, f, glint_reciprocal16((uint32_t)f->inverse_w << zeros >> 16), zeros, gloss);
 }
 
 /* Kinds of lighting: one light whose sum with ambient light is the colour, or any. */
