@@ -27,14 +27,14 @@ static inline unsigned fine_bits(int32_t bb, int32_t cc, int32_t bc, unsigned ze
 }
 
 /*
- * Brings a quadratic to the screen: value + of1 b + of2 c + bb b^2 + 2 bc b c + cc c^2, where b and c are the
- * barycentric coordinates of the second and the third corner. `value` is 1 = 2^32 if `up`, else 1 = 2^28, as the result
- * is. of1 and of2 are 1 = 2^16; bb, cc and bc are 1 = 2^28, below 2^27; slopes are below 2^13. Products have up to 31
- * bits.
+ * Brings a quadratic to the screen: value + of_b b + of_c c + bb b^2 + 2 bc b c + cc c^2, where b and c are the
+ * barycentric coordinates of the second and the third corner. `value` and the result are 1 = 2^32 if `is_fine`, else
+ * 1 = 2^28; of_b and of_c are 1 = 2^16; bb, cc and bc are 1 = 2^28, below 2^27. Slopes are below 2^13. Products have up
+ * to 31 bits.
  */
-static GLINT_SPECIAL void set_quadratic(glint_quadratic *q, uint32_t value, int32_t of1, int32_t of2, int32_t bb,
+static GLINT_SPECIAL void set_quadratic(glint_quadratic *q, uint32_t value, int32_t of_b, int32_t of_c, int32_t bb,
                                         int32_t cc, int32_t bc, const glint_slopes *slopes, unsigned zeros,
-                                        const int up) {
+                                        const int is_fine) {
     const int32_t half = 1 << 13;
     const unsigned fine = fine_bits(bb, cc, bc, zeros);
     const int32_t bb_fine = glint_shift_right(bb, 12 - fine), cc_fine = glint_shift_right(cc, 12 - fine),
@@ -48,23 +48,23 @@ static GLINT_SPECIAL void set_quadratic(glint_quadratic *q, uint32_t value, int3
                   yy = (int32_t)glint_weigh(by, y1, cy, y2); /* 1 = 2^(30 + fine) */
     bb = glint_shift_right(bb, 12), cc = glint_shift_right(cc, 12), bc = glint_shift_right(bc, 12);
     /* the derivatives by b and c at the first pixel */
-    const int32_t b = of1 + glint_shift_right((int32_t)glint_weigh(bb, slopes->start1, bc, slopes->start2), 13),
-                  c = of2 + glint_shift_right((int32_t)glint_weigh(bc, slopes->start1, cc, slopes->start2), 13);
-    const uint32_t x = glint_weigh(b, x1, c, x2), y = glint_weigh(b, y1, c, y2);
-    const uint32_t m = glint_weigh(of1 + b, slopes->start1, of2 + c, slopes->start2);
-    if (up) {
+    const int32_t by_b = of_b + glint_shift_right((int32_t)glint_weigh(bb, slopes->start1, bc, slopes->start2), 13),
+                  by_c = of_c + glint_shift_right((int32_t)glint_weigh(bc, slopes->start1, cc, slopes->start2), 13);
+    const uint32_t x = glint_weigh(by_b, x1, by_c, x2), y = glint_weigh(by_b, y1, by_c, y2);
+    const uint32_t twice_start = glint_weigh(of_b + by_b, slopes->start1, of_c + by_c, slopes->start2);
+    if (is_fine) {
         q->xx = (uint32_t)glint_shift_right(xx, fine) << 2;
         q->xy = (uint32_t)glint_shift_right(xy, fine) << 3;
         q->yy = (uint32_t)glint_shift_right(yy, fine) << 2;
         q->x = x << 2, q->y = y << 2;
-        q->value = value + (m << 1);
+        q->value = value + (twice_start << 1);
     } else {
         q->xx = (uint32_t)glint_shift_right(xx, 2 + fine);
         q->xy = (uint32_t)glint_shift_right(xy, 1 + fine);
         q->yy = (uint32_t)glint_shift_right(yy, 2 + fine);
         q->x = (uint32_t)glint_shift_right((int32_t)x, 2);
         q->y = (uint32_t)glint_shift_right((int32_t)y, 2);
-        q->value = value + (uint32_t)glint_shift_right((int32_t)m, 3);
+        q->value = value + (uint32_t)glint_shift_right((int32_t)twice_start, 3);
     }
 }
 
