@@ -75,9 +75,9 @@ static inline uint32_t attenuate_by_cone(const glint_drawn_lamp *lamp, int32_t a
 }
 
 /*
- * Finds what arrives of a light at a fragment, given the way (x, y, z) to the light, N.D as `cosine`, and D.D, which is
- * 2^square_up times the square in the unit of places. `is_odd` is set if the light has a cone, if attenuate_lamp does
- * not serve it, if it is near, or if N.D is nearly 0.
+ * Finds direction and strength of a light at a fragment, given the way (x, y, z) to the light, N.D as `cosine`, and
+ * D.D, which is 2^square_up times the square in the unit of places. `is_odd` is set if the light has a cone, if
+ * attenuate_lamp does not serve it, if it is near, or if N.D is nearly 0.
  * @return 0 if nothing arrives
  */
 static GLINT_INLINE int arrive_by(const glint_drawn_lamp *lamp, const glint_lit_view *view, glint_arrival *to,
@@ -105,7 +105,7 @@ static GLINT_INLINE int arrive_by(const glint_drawn_lamp *lamp, const glint_lit_
     return 1;
 }
 
-/* Finds what arrives of a light that has a place. @return 0 if nothing arrives */
+/* Finds direction and strength of a light that has a place. @return 0 if nothing arrives */
 static GLINT_INLINE int arrive_from_place(const glint_lamps *lamps, const glint_drawn_lamp *lamp, glint_lit_view *view,
                                           glint_arrival *to, int has_gloss) {
     const unsigned down = lamp->down;
@@ -138,7 +138,7 @@ static GLINT_INLINE int arrive_from_place(const glint_lamps *lamps, const glint_
     return arrive_by(lamp, view, to, cosine, x, y, z, square, 0, has_gloss, 0);
 }
 
-/* Finds what arrives of a directional light. @return 0 if the surface faces away from the light */
+/* Finds the direction of a directional light. @return 0 if the surface faces away from the light */
 static GLINT_INLINE int arrive_from_direction(const glint_lamps *lamps, const glint_drawn_lamp *lamp,
                                               const glint_lit_view *view, glint_arrival *to, int has_gloss) {
     const int32_t x = lamp->place[0], y = lamp->place[1], z = lamp->place[2];

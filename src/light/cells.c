@@ -30,7 +30,7 @@ typedef struct cell_rows {
     cell_node *row[3];
     uint32_t known[3];      /* bit n: node n of the row has been lit */
     uint32_t above[3];      /* bit n: a channel of node n exceeds the largest value that can be stored */
-    int32_t less[3];        /* nodes have this less than fragments: half a level of dithered formats, less the margin */
+    int32_t offset[3];      /* subtracted from fragments of dithered formats: half a level, less the margin; else 0 */
     int32_t most[3];        /* the largest value that can be stored */
     uint32_t level_bits[3]; /* bits of a channel's levels; 8 if the format has fewer than 5 */
     cell_node nodes[3][NODES];
@@ -50,7 +50,7 @@ void glint_keep_span(glint_row_walk *walk, int32_t row, int32_t left, int32_t ri
 /* Sets a channel of a node. @return whether it exceeds the largest value that can be stored */
 static inline uint32_t set_channel(const cell_rows *r, int c, int32_t from, int16_t *to) {
     const int32_t half = 1 << (GLINT_CHANNEL_BITS - COLOUR_BITS - 1),
-                  value = glint_shift_right(from + half, GLINT_CHANNEL_BITS - COLOUR_BITS) - r->less[c];
+                  value = glint_shift_right(from + half, GLINT_CHANNEL_BITS - COLOUR_BITS) - r->offset[c];
     to[c] = (int16_t)glint_least(glint_most(value, 0), INT16_MAX);
     return value > r->most[c];
 }
@@ -153,7 +153,7 @@ static int cell_is_saturated(const cell_rows *r, uint32_t n) {
 /* A channel of a square in the current row: its value at the first column, its change from column to column, and the
  * changes of both from row to row; Q24. */
 typedef struct patch_channel {
-    int32_t value, step, down, turn;
+    int32_t value, step, value_down, step_down;
 } patch_channel;
 
 /* Begins with the first row of a square of 2^bits pixels between four nodes: two above, two below. */
@@ -166,8 +166,8 @@ static inline patch_channel begin_channel(const cell_rows *r, int c, unsigned bi
 }
 
 static inline void step_channel(patch_channel *channel) {
-    channel->value += channel->down;
-    channel->step += channel->turn;
+    channel->value += channel->value_down;
+    channel->step += channel->step_down;
 }
 
 /* Finds the part of a row's cached span from column x to before `end`. @return 0 if there is none */
@@ -308,7 +308,7 @@ static void set_cell_levels(cell_rows *r) {
     for (int c = 0; c < 3; c++) {
         const unsigned bits = format->channel[1] ? format->channel[c] : format->bits;
         const int32_t level = 1 << (COLOUR_BITS - bits), margin = c == 1 || !format->channel[1] ? 0 : LANE_MARGIN;
-        r->less[c] = format->is_dithered ? level / 2 - margin : 0;
+        r->offset[c] = format->is_dithered ? level / 2 - margin : 0;
         r->level_bits[c] = bits > 4 ? bits : 8;
         r->most[c] = (1 << COLOUR_BITS) - (format->is_dithered ? level + margin : level / 2);
     }

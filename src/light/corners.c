@@ -12,14 +12,14 @@
 
 /* ---- An object's lights ---- */
 
-/* Turns a vector of the world. @return n: the turned vector is 2^n times the result */
-static int32_t turn_vector(const glint_corner_space *space, const int64_t world[3], int32_t to[3]) {
+/* Rotates a vector of the world. @return n: the rotated vector is 2^n times the result */
+static int32_t rotate_vector(const glint_corner_space *space, const int64_t world[3], int32_t to[3]) {
     int32_t reduced[3];
     int64_t sum[3];
     const unsigned down = glint_reduce(world, reduced);
     for (int i = 0; i < 3; i++)
-        sum[i] = glint_product(space->turn[i][0], reduced[0]) + glint_product(space->turn[i][1], reduced[1]) +
-                 glint_product(space->turn[i][2], reduced[2]);
+        sum[i] = glint_product(space->rotation[i][0], reduced[0]) + glint_product(space->rotation[i][1], reduced[1]) +
+                 glint_product(space->rotation[i][2], reduced[2]);
     return (int32_t)(down + glint_reduce(sum, to));
 }
 
@@ -63,7 +63,7 @@ static int has_even_columns(int32_t m[3][3]) {
 }
 
 /*
- * Sets the mesh's own space: places of points are extents times steps, and vectors of the world are turned by the
+ * Sets the mesh's own space: places of points are extents times steps, and vectors of the world are rotated by the
  * transpose of the pose's matrix M. As M scales too, places have to be multiplied by |column of M|^2.
  */
 static void set_even_space(glint_corner_space *space, glint_corner_lights *to, int32_t m[3][3], int32_t m_exponent,
@@ -74,7 +74,7 @@ static void set_even_space(glint_corner_space *space, glint_corner_lights *to, i
     for (int i = 0; i < 3; i++) {
         square += (uint64_t)glint_product(m[i][0], m[i][0]);
         for (int j = 0; j < 3; j++)
-            space->turn[j][i] = m[i][j];
+            space->rotation[j][i] = m[i][j];
     }
     const unsigned down =
         (glint_bits64(square) - 29) & ~1u; /* the square has 57 bits or more, of which 29 or 30 are left */
@@ -92,7 +92,7 @@ static void set_even_space(glint_corner_space *space, glint_corner_lights *to, i
         to->matrix[j][j] = glint_least(entry, 32766);
         space->range[j] = to->matrix[j][j] << 15;
     }
-    /* M in Q16 is m 2^m_exponent, extents are Q16, steps are Q15, and vectors turned by m are Q28 */
+    /* M in Q16 is m 2^m_exponent, extents are Q16, steps are Q15, and vectors rotated by m are Q28 */
     space->exponent = (int32_t)(cut + down) + m_exponent - 19;
 }
 
@@ -106,7 +106,7 @@ static void set_camera_space(glint_corner_space *space, glint_corner_lights *to,
     for (int i = 0; i < 3; i++) {
         for (int j = 0; j < 3; j++) {
             wide[i][j] = glint_product(pose->m[i][j], extents[j]);
-            space->turn[i][j] = view->rotation[i][j];
+            space->rotation[i][j] = view->rotation[i][j];
         }
     }
     const int32_t down = reduce_matrix(wide, scaled);
@@ -162,7 +162,7 @@ static int32_t bring_place(const glint_corner_space *space, const int32_t world[
     uint32_t most = 0;
     for (int i = 0; i < 3; i++)
         way[i] = (int64_t)world[i] * (1 << 12) - space->middle[i];
-    const int32_t exact = turn_vector(space, way, to->vector) - space->exponent, shift = glint_most(exact, 0);
+    const int32_t exact = rotate_vector(space, way, to->vector) - space->exponent, shift = glint_most(exact, 0);
     to->shift = (uint8_t)glint_least(shift, 31);
     for (int i = 0; i < 3; i++) {
         if (exact < 0)
@@ -178,7 +178,7 @@ static int32_t bring_place(const glint_corner_space *space, const int32_t world[
 /* Transforms a vector of the world, and makes it unit, 1 = GLINT_UNIT. */
 static void bring_direction(const glint_corner_space *space, const int64_t world[3], int32_t to[3]) {
     int32_t exponent;
-    turn_vector(space, world, to);
+    rotate_vector(space, world, to);
     glint_corner_unit(to, &exponent);
 }
 

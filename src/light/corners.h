@@ -22,9 +22,9 @@
 
 /** The transform from the world to the space in which an object is lit. */
 typedef struct glint_corner_space {
-    int32_t turn[3][3]; /* turns vectors in Q28; the unit of places is then 2^exponent */
-    int32_t exponent;   /* from -64 to 64 */
-    uint32_t inverse;   /* 1 / length of the rows of turn = inverse 2^inverse_exponent, 16 bits */
+    int32_t rotation[3][3]; /* rotates vectors in Q28, and scales them; the unit of places is then 2^exponent */
+    int32_t exponent;       /* from -64 to 64 */
+    uint32_t inverse;       /* 1 / length of the rows of rotation = inverse 2^inverse_exponent, 16 bits */
     int32_t inverse_exponent;
     int64_t middle[3]; /* of the mesh, in the world, Q28 */
     int32_t range[3];  /* the largest coordinates of points, relative to the middle */

@@ -119,7 +119,7 @@ typedef struct glint_lamps {
     glint_drawn_lamp lamps[GLINT_LIGHTS_MAX];
 } glint_lamps;
 
-/** Finds what arrives of a light at a fragment. @return 0 if nothing arrives */
+/** Finds direction and strength of a light at a fragment. @return 0 if nothing arrives */
 typedef int glint_arrive(const glint_lamps *lamps, const glint_drawn_lamp *lamp, glint_lit_view *view,
                          glint_arrival *to);
 #if GLINT_SMALL

@@ -167,7 +167,7 @@ static uint32_t find_highlight_end(const glint_shading *shading, uint32_t larges
 }
 
 /*
- * Sets `far` and `far_turned`, in their formats, so that far + far_turned d^2 is no less than sin^2(a + b), where a is
+ * Sets `far` and `far_slope`, in their formats, so that far + far_slope d^2 is no less than sin^2(a + b), where a is
  * the angle at which highlights end, and b^2 is a third of d^2. sin^2(a + b) = sin^2 a + sin^2 b (1 - 2 sin^2 a) + 2 k
  * sin b cos b, where k = sin a cos a. The last part is at most k (t + sin^2 b / t) for any t, and closest where b is
  * about t: here 1/4.
@@ -175,13 +175,13 @@ static uint32_t find_highlight_end(const glint_shading *shading, uint32_t larges
 static void set_far(glint_suns *suns, uint32_t end) {
     const uint32_t k = glint_square_root((uint64_t)end * ((1u << 30) - end) >> 30); /* Q15 */
     suns->far = (end >> 14) + k / 2 + 4;
-    suns->far_turned = ((1u << 15) + 4 * k - 2 * least(end >> 15, (1u << 14) + 2 * k)) / 96 + 1;
+    suns->far_slope = ((1u << 15) + 4 * k - 2 * least(end >> 15, (1u << 14) + 2 * k)) / 96 + 1;
 }
 
 /*
- * Where a highlight is steepest, it changes by 63 weight (0.61 sqrt(p) + 2.5 / p) levels a radian. If H turns by d over
- * a triangle, an H that is linear between corners is off by up to 0.16 d^2, which may be 0.3 of a level. V is off by
- * half of that, and in triangles with planes by an eighth.
+ * Where a highlight is steepest, it changes by 63 weight (0.61 sqrt(p) + 2.5 / p) levels a radian. If the angle of H
+ * changes by d over a triangle, an H that is linear between corners is off by up to 0.16 d^2, which may be 0.3 of a
+ * level. V is off by half of that, and in triangles with planes by an eighth.
  */
 #define BEND_LIMIT (60u << 23)
 
@@ -191,7 +191,7 @@ static void set_far(glint_suns *suns, uint32_t end) {
 #define MOST_FINE (128 * GLINT_ONE)
 #define MOST_EXPONENT (256 * GLINT_ONE)
 
-/* Larger exponents do not lower the limit of H's turn any more: the highlight is then a small part of a triangle. */
+/* Larger exponents do not lower the limit of H's change any more: the highlight is then a small part of a triangle. */
 #define SMALL_EXPONENT (96 * GLINT_ONE)
 
 void glint_ramps_prepare(glint_suns *suns, const glint_shading *shading) {

@@ -393,7 +393,8 @@ GLINT_NOINLINE void glint_mix_own_colour(const glint_row_walk *walk, glint_lit_f
     to[0] += lamps->half[0], to[1] += lamps->half[1], to[2] += lamps->half[2];
 }
 
-/* Finds what arrives of a light. A library built for size calls its type's function, so that no other one is linked. */
+/* Finds direction and strength of a light. A library built for size calls its type's function, so that no other one is
+ * linked. */
 #if GLINT_SMALL
 #define ARRIVE(from, lamps, lamp, view, a, has_gloss) (lamp)->source->type->arrive(lamps, lamp, view, a)
 #else

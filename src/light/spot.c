@@ -39,7 +39,7 @@ static glint_status prepare_spot(const glint_light *light, glint_prepared_light 
 /* The way from a spot to an object, and the object's box, are scaled to this many bits and a sign. */
 #define WAY_BITS 13
 
-/* Until the way has been turned, it has these bits more. */
+/* Until the way has been rotated, it has these bits more. */
 #define FINE_WAY_BITS 12
 
 /* An object as a spot sees it, in any unit. */
@@ -68,12 +68,12 @@ static void sight(const glint_light *light, const glint_view *view, const glint_
     const unsigned bits = glint_bits64(all) + 1, down = bits > WAY_BITS ? bits - WAY_BITS : 0,
                    early = bits > WAY_BITS + FINE_WAY_BITS ? bits - WAY_BITS - FINE_WAY_BITS : 0;
     for (int i = 0; i < 3; i++) {
-        int64_t turned = 0;
+        int64_t rotated = 0;
         for (int j = 0; j < 3; j++) {
-            turned += view->rotation[i][j] * glint_shift_right64(way[j], early);
+            rotated += view->rotation[i][j] * glint_shift_right64(way[j], early);
             to->half[j][i] = (int32_t)glint_shift_right64(half[j][i], down);
         }
-        to->way[i] = (int32_t)glint_shift_right64(turned, 16 + down - early);
+        to->way[i] = (int32_t)glint_shift_right64(rotated, 16 + down - early);
     }
 }
 

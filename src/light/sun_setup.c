@@ -86,7 +86,7 @@ static inline uint32_t least_of(uint32_t a, uint32_t b, uint32_t c) {
 }
 
 /* The largest square of a difference between normals, 1 = 2^28, for which scalars serve. */
-#define MOST_TURN (1u << 27)
+#define MOST_CHANGE (1u << 27)
 
 /* Sets N' at a corner, 1 = 2^14, given its normal and its 1/w, both 1 = 2^15. @return N'.N', 1 = 2^28 */
 static GLINT_SPECIAL uint32_t set_normal(int32_t n[3], const int16_t *normal, int32_t over_w) {
@@ -115,10 +115,10 @@ int glint_begin_sun_normals(const glint_row_walk *walk, glint_sun_triangle *t) {
     t->d2[0] = x2, t->d2[1] = y2, t->d2[2] = z2;
     const int32_t s = x1 * x1 + y1 * y1 + z1 * z1, q = x2 * x2 + y2 * y2 + z2 * z2, u = x1 * x2 + y1 * y2 + z1 * z2;
     t->zeros = slope_zeros(&walk->slopes);
-    t->turn = most_of((uint32_t)s, (uint32_t)q, (uint32_t)(s + q - 2 * u));
+    t->change = most_of((uint32_t)s, (uint32_t)q, (uint32_t)(s + q - 2 * u));
     t->least = least_of(at_a, at_b, at_c);
-    /* between corners N'.N' may be less than at corners by a third of the turn */
-    if (t->turn > MOST_TURN || t->least < GLINT_LEAST_NORMAL + t->turn / 2)
+    /* between corners N'.N' may be less than at corners by a third of `change` */
+    if (t->change > MOST_CHANGE || t->least < GLINT_LEAST_NORMAL + t->change / 2)
         return 0;
     set_quadratic(&t->normal, at_a << 4, to_q16((int32_t)(at_b - at_a) - s), to_q16((int32_t)(at_c - at_a) - q), s, q,
                   u, &walk->slopes, t->zeros, 1);
@@ -126,17 +126,17 @@ int glint_begin_sun_normals(const glint_row_walk *walk, glint_sun_triangle *t) {
 }
 
 /* If N'.N' is at least this, the square of a difference of N' is at least 2/3 of the square of the normals' angle. */
-#define LEAST_TURNED (9u << 24)
+#define LEAST_WITH_ANGLE (9u << 24)
 
 /*
- * Returns whether all fragments lie outside of the highlight, given the squares of turn and bend, 1 = 2^28, and the
- * least `outside` of the corners. The distance from any point of a triangle to the nearest corner is at most 3^-1/2 of
- * the longest side; so it is for normals and half vectors.
+ * Returns whether all fragments lie outside of the highlight, given the largest squares of changes of N' and of H, 1 =
+ * 2^28, and the least `outside` of the corners. The distance from any point of a triangle to the nearest corner is at
+ * most 3^-1/2 of the longest side; so it is for normals and half vectors.
  */
-static inline int is_gloss_outside(const glint_suns *suns, uint32_t turn, uint32_t bend, uint32_t outside) {
-    const uint32_t large = turn > bend ? turn : bend,
-                   both = large + large / 2 + 3 * (turn + bend - large); /* (a + b)^2 <= 3/2 a^2 + 3 b^2 */
-    return outside > suns->far + ((both >> 12) * suns->far_turned >> 10);
+static inline int is_gloss_outside(const glint_suns *suns, uint32_t change, uint32_t bend, uint32_t outside) {
+    const uint32_t large = change > bend ? change : bend,
+                   both = large + large / 2 + 3 * (change + bend - large); /* (a + b)^2 <= 3/2 a^2 + 3 b^2 */
+    return outside > suns->far + ((both >> 12) * suns->far_slope >> 10);
 }
 
 /* Scalar products of the differences E1 and E2 of H or V between the first corner and the others: E1.E1, E2.E2 and
@@ -270,7 +270,8 @@ static inline int begin_gloss(const glint_row_walk *walk, const glint_sun_triang
     const glint_suns *suns = t->suns;
     bend_products bends;
     const uint32_t bend = find_bends(&bends, a, b, c);
-    if (t->least >= LEAST_TURNED && is_gloss_outside(suns, t->turn, bend, least_of(a->outside, b->outside, c->outside)))
+    if (t->least >= LEAST_WITH_ANGLE &&
+        is_gloss_outside(suns, t->change, bend, least_of(a->outside, b->outside, c->outside)))
         return 1;
     if (bend > suns->bend || !(a->v[0] | a->v[1] | a->v[2]) || !suns->bend)
         return 0;

@@ -90,7 +90,7 @@ static inline glint_draw_span *choose_span(glint_row_walk *walk, glint_sun_trian
     if (has_own)
         return glint_draw_own_list;
     if (is_listed)
-        return t->least < 4 * GLINT_LEAST_NORMAL + t->turn / 2 ? 0 : glint_begin_fine_suns(walk);
+        return t->least < 4 * GLINT_LEAST_NORMAL + t->change / 2 ? 0 : glint_begin_fine_suns(walk);
     if (!t->count && suns->is_rounded) {
         walk->packed = glint_spread_pack(suns->dark);
         return walk->frame->config.format->flat_span;
@@ -198,7 +198,7 @@ static int material_lists(const glint_shading *shading) {
     return !shading->has_specular || shading->material->model->lobe != GLINT_LOBE_MIRROR;
 }
 
-/* Returns whether suns serve a material: all its lights are directional, and so on. */
+/* Returns whether suns serve a material: all its lights are directional, and tables have its highlights. */
 static int serves_material(const glint_frame *frame, const glint_shading *shading) {
     const glint_material *material = shading->material;
     if (!shading->lights || (is_fine(frame) && !material_lists(shading)))
@@ -217,7 +217,7 @@ static int serves(const glint_frame *frame, const glint_shading *shading, const 
            serves_material(frame, shading);
 }
 
-/* Returns whether suns serve an object of a material in the scene. */
+/* Returns whether suns serve at least one object of a material. */
 static int serves_some(const glint_frame *frame, const glint_shading *shading) {
     for (uint32_t i = 0; i < frame->scene->object_count; i++) {
         const glint_object *object = &frame->scene->objects[i];

@@ -69,8 +69,8 @@ typedef struct glint_suns {
     uint32_t shift;      /* sin^2, Q30, shifted right by this is the index of an entry of gloss */
     uint32_t end;        /* sin^2, Q30, where highlights end; 0 if none is visible */
     uint32_t far;        /* a highlight is outside of a triangle if `outside` of all corners exceeds this, Q16, */
-    uint32_t far_turned; /* plus this, Q10, times the square of the triangle's turn */
-    uint32_t bend;       /* scalars serve triangles in which the square of H's turn is at most this, 1 = 2^28 */
+    uint32_t far_slope;  /* plus this, Q10, times a square of changes of N' and H */
+    uint32_t bend;       /* scalars serve triangles over which the square of H's change is at most this, 1 = 2^28 */
     int32_t small_bend;  /* between corners that bend so far, |H|^2, 1 = 2^28, is less than 1 by at most this */
     int32_t gate;        /* a fragment is lit if N'.L exceeds this: 0, or INT32_MIN for always */
     uint32_t terms;      /* number of terms of a vertex */
@@ -148,7 +148,7 @@ typedef struct glint_sun_triangle {
     const int16_t *own_at[3];      /* the surface's own colours at corners, 1 = GLINT_COLOUR_ONE */
     glint_sun_plane own[3];        /* the surface's own colours at fragments, 1 = 2^29 */
     uint32_t least;                /* the least N'.N' of a corner, 1 = 2^28 */
-    uint32_t turn;                 /* the largest square of a difference between N' of two corners, 1 = 2^28 */
+    uint32_t change;               /* the largest square of a difference between N' of two corners, 1 = 2^28 */
     unsigned zeros;                /* leading zeros of the slopes */
     glint_quadratic normal;        /* N'.N' */
     uint32_t count;                /* number of lights that a corner faces */
@@ -175,7 +175,7 @@ void glint_light_sun_vertices(const glint_frame *frame, glint_draw *draw, const 
 uint32_t glint_find_sine(const glint_row_walk *walk, const glint_drawn_sun *sun, int32_t row, int32_t column,
                          const int32_t n[3]);
 
-/** Sets N' at corners, and N'.N'. @return 0 if normals turn too far, or 1/w changes too much */
+/** Sets N' at corners, and N'.N'. @return 0 if normals or 1/w change too much */
 int glint_begin_sun_normals(const glint_row_walk *walk, glint_sun_triangle *t);
 
 /** Sets all lights that a corner faces. @return 0 if scalars do not serve the triangle */
