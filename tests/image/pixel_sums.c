@@ -34,13 +34,6 @@ static void draw(drawing *d, const glint_scene *scene) {
     draw_with(d, scene, NULL);
 }
 
-static void draw_small(drawing *d, const glint_scene *scene, uint32_t number) {
-    d->width = number % 2 ? 157 : 128;
-    d->height = number % 2 ? 93 : 64;
-    d->format = number % 3 == 2 ? &glint_format_rgb888 : &glint_format_rgb565;
-    draw(d, scene);
-}
-
 /* ---- Kinds --------------------------------------------------------------------------------------------------- */
 
 static void evaluate(glint_object *objects, uint32_t count, unsigned evaluation) {
@@ -48,68 +41,17 @@ static void evaluate(glint_object *objects, uint32_t count, unsigned evaluation)
         objects[i].evaluation = scene_evaluations[evaluation];
 }
 
-/* A mesh of the benchmark with all exponents, models and viewers. */
-static void draw_bench(drawing *d, unsigned which) {
-    static const glint_shading_model *const models[] = {&glint_model_blinn_phong, &glint_model_phong,
-                                                        &glint_model_lambert};
-    static const double exponents[] = {0.5, 1, 2, 3, 8, 32, 100, 256, 1024};
-    for (uint32_t i = 0; i < 108; i++) {
-        bench_scene scene;
-        bench_build_scene(&scene, &bench_definitions[which / 3], scene_bench_mesh((int)which / 3), (int)i % 10);
-        scene.material.shininess = bench_q16(exponents[i / 12]);
-        scene.material.model = models[i / 4 % 3];
-        scene.scene.viewer = i / 2 % 2 ? GLINT_VIEWER_LOCAL : GLINT_VIEWER_INFINITE;
-        evaluate(&scene.object, 1, which % 3);
-        draw_small(d, &scene.scene, i);
-    }
-}
-
-/* Large ones, which have other kernels. */
-static void draw_large(drawing *d, unsigned which) {
-    for (uint32_t i = 0; i < 8; i++) {
-        bench_scene scene;
-        bench_build_scene(&scene, &bench_definitions[which], scene_clustered_mesh((int)which), (int)i);
-        scene.material.shininess = (4 << i / 2 * 2) * GLINT_ONE;
-        scene.scene.viewer = i % 2 ? GLINT_VIEWER_LOCAL : GLINT_VIEWER_INFINITE;
-        d->width = 320;
-        d->height = 240;
-        d->format = i % 4 == 3 ? &glint_format_rgb565_be : &glint_format_rgb565;
+/* Meshes, lights and materials of all kinds, near and beside each other. */
+static void draw_random_surfaces(drawing *d, unsigned part) {
+    for (uint32_t seed = 60 * part + 1; seed <= 60 * (part + 1); seed++) {
+        test_scene scene;
+        surface_build_random(&scene, seed);
+        const uint32_t number = seed - 60 * part;
+        d->width = number % 2 ? 157 : 128;
+        d->height = number % 2 ? 93 : 64;
+        d->format = number % 3 == 2 ? &glint_format_rgb888 : &glint_format_rgb565;
         draw(d, &scene.scene);
     }
-}
-
-static void draw_definitions(drawing *d, const scene_definition *definitions, unsigned count, unsigned evaluation) {
-    for (uint32_t i = 0; i < 4 * count; i++) {
-        test_scene scene;
-        definitions[i / 4].build(&scene);
-        scene.scene.viewer = i % 2 ? GLINT_VIEWER_LOCAL : GLINT_VIEWER_INFINITE;
-        evaluate(scene.objects, scene.scene.object_count, evaluation);
-        draw_small(d, &scene.scene, i / 2);
-    }
-}
-
-static void draw_scenes(drawing *d, unsigned evaluation) {
-    draw_definitions(d, scene_definitions, scene_count, evaluation);
-}
-
-static void draw_surfaces(drawing *d, unsigned evaluation) {
-    draw_definitions(d, surface_definitions, surface_count, evaluation);
-}
-
-static void draw_random(drawing *d, void (*build)(test_scene *, uint32_t), unsigned part) {
-    for (uint32_t seed = 1; seed <= 60; seed++) {
-        test_scene scene;
-        build(&scene, 60 * part + seed);
-        draw_small(d, &scene.scene, seed);
-    }
-}
-
-static void draw_random_scenes(drawing *d, unsigned part) {
-    draw_random(d, scene_build_random, part);
-}
-
-static void draw_random_surfaces(drawing *d, unsigned part) {
-    draw_random(d, surface_build_random, part);
 }
 
 /* As many of each region as of any other. */
@@ -256,19 +198,6 @@ static void draw_gallery(drawing *d, unsigned which) {
     }
 }
 
-/* A few scenes in a format. */
-static void draw_format(drawing *d, unsigned which) {
-    for (uint32_t i = 0; i < 3 * scene_count; i++) {
-        test_scene scene;
-        scene_build(&scene, &scene_definitions[i / 3]);
-        evaluate(scene.objects, scene.scene.object_count, i % 3);
-        d->width = 96;
-        d->height = 72;
-        d->format = formats[which];
-        draw(d, &scene.scene);
-    }
-}
-
 typedef struct kind {
     const char *name;
     void (*draw)(drawing *d, unsigned part);
@@ -281,15 +210,9 @@ static const kind kinds[] = {{"regions", draw_regions, 2},
                              {"varied regions", draw_varied_regions, 8},
                              {"varied benchmark", draw_varied_bench, 6},
                              {"random surfaces", draw_random_surfaces, 6},
-                             {"random scenes", draw_random_scenes, 4},
-                             {"benchmark", draw_bench, 3 * BENCH_SCENES},
-                             {"large", draw_large, BENCH_SCENES},
-                             {"scenes", draw_scenes, 3},
-                             {"surfaces", draw_surfaces, 3},
-                             {"gallery", draw_gallery, EXAMPLE_SCENES},
-                             {"formats", draw_format, 16}};
+                             {"gallery", draw_gallery, EXAMPLE_SCENES}};
 
-const unsigned pixel_sums_count = 3 * BENCH_SCENES + BENCH_SCENES + 3 + 3 + 4 + 6 + 2 + 3 + 8 + 6 + EXAMPLE_SCENES + 16;
+const unsigned pixel_sums_count = 2 + 3 + 8 + 6 + 6 + EXAMPLE_SCENES;
 
 static const kind *kind_of(unsigned *index) {
     const kind *at = kinds;

@@ -32,54 +32,12 @@ static const uint32_t pixel_table[] = {
     0x5c8d425au, /* random surfaces */
     0x380cd212u, /* random surfaces */
     0x08219756u, /* random surfaces */
-    0x39d24f88u, /* random scenes */
-    0x2feb57f7u, /* random scenes */
-    0x7f4565c6u, /* random scenes */
-    0xabd0c695u, /* random scenes */
-    0x9a2dfbf4u, /* benchmark */
-    0x4dee89f9u, /* benchmark */
-    0x27e9fa9bu, /* benchmark */
-    0x20e46e2au, /* benchmark */
-    0xf0c9e555u, /* benchmark */
-    0xb841ddb7u, /* benchmark */
-    0x29f6db6du, /* benchmark */
-    0x99f5ba96u, /* benchmark */
-    0x18d255d6u, /* benchmark */
-    0xe9191f39u, /* benchmark */
-    0xabfa282fu, /* benchmark */
-    0xf195f825u, /* benchmark */
-    0x583acd39u, /* large */
-    0xa2beb282u, /* large */
-    0xe1317782u, /* large */
-    0xfc9ce03du, /* large */
-    0x27064630u, /* scenes */
-    0x5f4e59adu, /* scenes */
-    0x833b6538u, /* scenes */
-    0xe4318ed2u, /* surfaces */
-    0x42309271u, /* surfaces */
-    0x7c203683u, /* surfaces */
     0x013d797au, /* gallery */
     0x7271939eu, /* gallery */
     0xb8747bb6u, /* gallery */
     0x13d11984u, /* gallery */
     0xda8968a0u, /* gallery */
     0x3800b8feu, /* gallery */
-    0x2990fedcu, /* formats */
-    0x18ee3d17u, /* formats */
-    0x0af480f2u, /* formats */
-    0x5178d624u, /* formats */
-    0x50f2fc8bu, /* formats */
-    0xf29dc2b8u, /* formats */
-    0xfc90fd6bu, /* formats */
-    0x93b54fa8u, /* formats */
-    0xc84fa0c3u, /* formats */
-    0x9b294ad1u, /* formats */
-    0x940bcea7u, /* formats */
-    0xef447726u, /* formats */
-    0x7b068518u, /* formats */
-    0x9631304du, /* formats */
-    0x69ef9076u, /* formats */
-    0xedcbe5aeu, /* formats */
 };
 
 #endif
