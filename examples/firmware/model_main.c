@@ -6,6 +6,7 @@
 #include "board.h"
 
 #ifdef MODEL_HEADER
+/* cppcheck-suppress preprocessorErrorDirective; the makefile says which */
 #include MODEL_HEADER
 #else
 #include "meshes/torus576.h"

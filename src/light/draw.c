@@ -232,14 +232,15 @@ static inline lane lane_of_slopes(const glint_slopes *s, int32_t a, int32_t d1, 
 }
 
 /* Rounds a channel from Q29 to Q16. */
-static inline uint32_t to_q16(int32_t channel) {
+static inline uint32_t round_to_q16(int32_t channel) {
     return (uint32_t)glint_shift_right(glint_add_wrap(channel, 1 << 12), 13);
 }
 
 /* Sets the word of red and blue from the tile's first pixel on, given lanes at its pixel (x, y). */
 static inline void set_red_blue(glint_lanes *to, const lane *red, const lane *blue, uint32_t x, uint32_t y) {
-    const uint32_t dx = (to_q16(blue->dx) << 16) + to_q16(red->dx), dy = (to_q16(blue->dy) << 16) + to_q16(red->dy);
-    to[0].red_blue = (to_q16(blue->start) << 16) + to_q16(red->start) - dx * x - dy * y;
+    const uint32_t dx = (round_to_q16(blue->dx) << 16) + round_to_q16(red->dx),
+                   dy = (round_to_q16(blue->dy) << 16) + round_to_q16(red->dy);
+    to[0].red_blue = (round_to_q16(blue->start) << 16) + round_to_q16(red->start) - dx * x - dy * y;
     to[1].red_blue = dx;
     to[2].red_blue = dy;
 }

@@ -99,7 +99,7 @@ uint32_t glint_point_reach(const glint_corner_light *light, const glint_lit_poin
 
 /* Returns the part of a spot's light that its cone lets through, Q15, given the cosine between the way to the light and
  * the axis, times GLINT_UNIT^2. */
-static inline uint32_t attenuate_by_cone(const glint_prepared_light *light, int32_t cosine) {
+static inline uint32_t attenuate_corner_by_cone(const glint_prepared_light *light, int32_t cosine) {
     if (cosine >= light->spot.cosine_inner)
         return 1u << 15;
     /* `past` is at most inner - outer, and `slope` is 2^30 over this: their product is at most 2^30 */
@@ -126,7 +126,7 @@ uint32_t glint_spot_reach(const glint_corner_light *light, const glint_lit_point
     const int32_t excess = glint_dot32(direction, direction) - GLINT_UNIT * GLINT_UNIT + light->axis_excess,
                   cosine =
                       direction[0] * light->axis[0] + direction[1] * light->axis[1] + direction[2] * light->axis[2];
-    return strength * attenuate_by_cone(light->source, cosine - glint_excess(cosine, excess)) >> 15;
+    return strength * attenuate_corner_by_cone(light->source, cosine - glint_excess(cosine, excess)) >> 15;
 }
 
 /* ---- Highlights ---- */

