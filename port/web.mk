@@ -2,7 +2,7 @@
 # The web page: the library, the host program and the reference for wasm32, and what docs/web/ is made of.
 
 WEB := $(BUILD)/web
-WEB_SOURCES := $(filter-out %_rgb565_be.c %_mono_pages.c,$(LIBRARY)) port/web/formats.c \
+WEB_SOURCES := $(LIBRARY) \
     $(filter-out %/main.c %/output.c %/importer.c %/child.c,$(HOST_SOURCES)) $(EXAMPLE_SCENES) $(JUDGE_SOURCES) \
     $(addprefix port/web/,web.c measure.c files.c libc/libc.c) port/libc/memory.c
 WEB_OBJECTS := $(call objects,$(WEB),$(WEB_SOURCES)) $(WEB)/scenes/meshes.o
