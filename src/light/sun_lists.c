@@ -158,31 +158,6 @@ GLINT_NOINLINE void glint_take_larger(uint32_t dark, glint_spread *p, const glin
     }
 }
 
-void glint_draw_sun_list(glint_row_walk *walk, int32_t row, int32_t left, int32_t right) {
-    const glint_sun_triangle *t = walk->suns;
-    glint_spread list[LIST_MAX];
-    for (int32_t to; left < right; left = to) {
-        to = glint_least(right, left + LIST_MAX);
-        const uint32_t begin = ((uint32_t)row << walk->shift) + (uint32_t)walk->slopes.column;
-        glint_spread *const end = list_visible(walk, row, left, to, t->suns->first, list);
-        if (end == list)
-            continue;
-        for (const glint_lit_sun *lit = t->lit, *last = lit + t->count; lit != last; lit++) {
-            if (GLINT_SMALL || !lit->is_plain)
-                light_list_any(walk, lit, row, begin, list, end, BOTH);
-            else if (!lit->gloss)
-                light_list_matt(walk, lit, row, begin, list, end);
-            else if (t->suns->is_mirror)
-                light_list_mirror(walk, lit, row, begin, list, end);
-            else
-                light_list_half(walk, lit, row, begin, list, end);
-        }
-        if (t->suns->takes_most)
-            glint_take_larger(t->suns->dark, list, end);
-        walk->frame->config.format->store_spread(walk->pixels, walk->shift, list, end);
-    }
-}
-
 /* ---- Surfaces with colours of their own ---- */
 
 void glint_begin_own(glint_sun_triangle *t, const glint_slopes *slopes) {
@@ -226,29 +201,49 @@ static GLINT_NOINLINE void multiply_list(const glint_row_walk *walk, int32_t row
     }
 }
 
-void glint_draw_own_list(glint_row_walk *walk, int32_t row, int32_t left, int32_t right) {
+/* ---- Spans ---- */
+
+/* Adds a part of all lights to the pixels of a row. */
+static GLINT_SPECIAL void add_lights_to_list(const glint_row_walk *walk, int32_t row, uint32_t begin, glint_spread *p,
+                                             const glint_spread *end, int part) {
     const glint_sun_triangle *t = walk->suns;
-    const glint_lit_sun *const last = t->lit + t->count;
+    for (const glint_lit_sun *lit = t->lit, *last = lit + t->count; lit != last; lit++) {
+        if (part == GLOSS && !lit->gloss)
+            continue;
+        if (GLINT_SMALL || !lit->is_plain || (part == GLOSS && t->suns->is_mirror))
+            light_list_any(walk, lit, row, begin, p, end, part);
+        else if (part == GLOSS)
+            add_gloss_half(walk, lit, row, begin, p, end);
+        else if (part == DIFFUSE || !lit->gloss)
+            light_list_matt(walk, lit, row, begin, p, end);
+        else if (t->suns->is_mirror)
+            light_list_mirror(walk, lit, row, begin, p, end);
+        else
+            light_list_half(walk, lit, row, begin, p, end);
+    }
+}
+
+/* Colours of a surface multiply ambient and diffuse light, before highlights are added. */
+void glint_draw_sun_list(glint_row_walk *walk, int32_t row, int32_t left, int32_t right) {
+    const glint_suns *suns = walk->suns->suns;
+    const int has_own = walk->draw->extra != 0;
+    const uint32_t begin = ((uint32_t)row << walk->shift) + (uint32_t)walk->slopes.column,
+                   first = has_own ? suns->dark - suns->half_level : suns->first;
     glint_spread list[LIST_MAX];
     for (int32_t to; left < right; left = to) {
         to = glint_least(right, left + LIST_MAX);
-        const uint32_t begin = ((uint32_t)row << walk->shift) + (uint32_t)walk->slopes.column;
-        glint_spread *const end = list_visible(walk, row, left, to, t->suns->dark - t->suns->half_level, list);
+        glint_spread *const end = list_visible(walk, row, left, to, first, list);
         if (end == list)
             continue;
-        for (const glint_lit_sun *lit = t->lit; lit != last; lit++) {
-            if (GLINT_SMALL || !lit->is_plain)
-                light_list_any(walk, lit, row, begin, list, end, DIFFUSE);
-            else
-                light_list_matt(walk, lit, row, begin, list, end);
+        if (has_own) {
+            add_lights_to_list(walk, row, begin, list, end, DIFFUSE);
+            multiply_list(walk, row, begin, list, end);
+            add_lights_to_list(walk, row, begin, list, end, GLOSS);
+        } else {
+            add_lights_to_list(walk, row, begin, list, end, BOTH);
         }
-        multiply_list(walk, row, begin, list, end);
-        for (const glint_lit_sun *lit = t->lit; lit != last; lit++) {
-            if (lit->gloss && (GLINT_SMALL || !lit->is_plain || t->suns->is_mirror))
-                light_list_any(walk, lit, row, begin, list, end, GLOSS);
-            else if (lit->gloss)
-                add_gloss_half(walk, lit, row, begin, list, end);
-        }
+        if (suns->takes_most)
+            glint_take_larger(suns->dark, list, end);
         walk->frame->config.format->store_spread(walk->pixels, walk->shift, list, end);
     }
 }

@@ -72,8 +72,8 @@ static GLINT_NOINLINE uint32_t find_small_entry(const glint_row_walk *walk, cons
 }
 
 /* Adds all lights to a pixel: their diffuse light, their highlights, or both. */
-static GLINT_INLINE void add_lights(const glint_row_walk *walk, const small_pixel *pixel, glint_spread *p,
-                                    int is_diffuse, int is_gloss) {
+static GLINT_SPECIAL void add_lights(const glint_row_walk *walk, const small_pixel *pixel, glint_spread *p,
+                                     int is_diffuse, int is_gloss) {
     const glint_suns *suns = walk->suns->suns;
     uint32_t term = 0;
     for (const glint_drawn_sun *sun = suns->suns, *end = sun + suns->count; sun != end; sun++) {

@@ -87,15 +87,13 @@ static inline glint_draw_span *choose_span(glint_row_walk *walk, glint_sun_trian
     }
     if (!glint_begin_sun_normals(walk, t) || !glint_begin_suns(walk, t) || (is_listed && suns->is_mirror))
         return 0;
-    if (has_own)
-        return glint_draw_own_list;
     if (is_listed)
         return t->least < 4 * GLINT_LEAST_NORMAL + t->change / 2 ? 0 : glint_begin_fine_suns(walk);
-    if (!t->count && suns->is_rounded) {
+    if (!t->count && suns->is_rounded && !has_own) {
         walk->packed = glint_spread_pack(suns->dark);
         return walk->frame->config.format->flat_span;
     }
-    if (t->count != 1 || !suns->spans)
+    if (t->count != 1 || !suns->spans || has_own)
         return glint_draw_sun_list;
     begin_one_light(walk, t);
     return !t->lit->gloss ? suns->spans->matt : suns->is_mirror ? suns->spans->mirror : suns->spans->half;
@@ -179,7 +177,7 @@ static int takes_most(const glint_shading *shading) {
 
 /* Returns whether words serve surfaces of a material with colours of their own: these multiply the sum of ambient and
  * diffuse light, which must not exceed 1, as words are clamped there. */
-static int has_own_words(const glint_frame *frame, const glint_shading *shading) {
+static GLINT_NOINLINE int has_own_words(const glint_frame *frame, const glint_shading *shading) {
     if (is_fine(frame) || takes_most(shading))
         return 0;
     for (int c = 0; c < 3; c++) {
@@ -228,7 +226,7 @@ static int serves_some(const glint_frame *frame, const glint_shading *shading) {
 }
 
 /* Returns whether packed words serve an object of a material: one with colours of its own, or one without. */
-static int has_words_of(const glint_frame *frame, const glint_shading *shading, int is_own) {
+static GLINT_NOINLINE int has_words_of(const glint_frame *frame, const glint_shading *shading, int is_own) {
     for (uint32_t i = 0; i < frame->scene->object_count && !is_fine(frame); i++) {
         const glint_object *object = &frame->scene->objects[i];
         if (object->material == shading->material && glint_has_colours(object->mesh) == is_own &&

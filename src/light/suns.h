@@ -187,9 +187,6 @@ int glint_find_one_word(const glint_row_walk *walk, uint32_t *word);
 /** Draws a span: lists its visible pixels, adds each light to all of them, and stores them. */
 glint_draw_span glint_draw_sun_list;
 
-/** Draws a span likewise, of a surface with its own colours, which multiply ambient and diffuse light. */
-glint_draw_span glint_draw_own_list;
-
 /** Sets the planes of a surface's own colours. */
 void glint_begin_own(glint_sun_triangle *t, const glint_slopes *slopes);
 
