@@ -147,7 +147,7 @@ $(call objects,$(BUILD)/sanitize,$(TEST_JUDGE)): TEST_CFLAGS += $(if $(SANITIZE_
 # The judge's doubles are the same from every compiler; the float renderer is what a compiler may make of floats.
 $(BUILD)/host/tests/unit/methods/%.o: TEST_CFLAGS += -ffp-contract=off
 $(BUILD)/host/tools/bench/float/%.o: TEST_CFLAGS += -ffast-math -ffp-contract=fast
-$(BUILD)/host/tools/bench/workloads.o: $(BUILD)/bench/bench_scenes.h
+$(patsubst %,$(BUILD)/%/tools/bench/workloads.o,host sanitize): $(BUILD)/bench/bench_scenes.h
 
 # $(call run_suites,programs): runs all, also after a failure, as many at once as there are cores; prints them in order
 run_suites = @rm -f $(addsuffix .status,$1); \
