@@ -16,7 +16,7 @@
 /* A node: its colour in levels, Q14, from 0 to 2, half a level or the margin of dithering included; and the number of
  * lights that its surface faces away from. */
 typedef int16_t cell_node[4];
-enum { UNSEEN = 3 };
+enum { FACED_AWAY = 3 };
 
 #define COLOUR_BITS 14
 
@@ -70,7 +70,7 @@ static inline void set_node(cell_rows *r, int k, uint32_t n, const glint_lit_fra
     int16_t *const to = r->row[k][n];
     const uint32_t above =
         set_channel(r, 0, from[0], to) | set_channel(r, 1, from[1], to) | set_channel(r, 2, from[2], to);
-    to[UNSEEN] = f->unseen;
+    to[FACED_AWAY] = f->unseen;
     r->above[k] |= above << n;
     r->known[k] |= 1u << n;
 }
@@ -119,7 +119,7 @@ static inline int32_t channel_bend(const cell_rows *r, int c, const int16_t *a, 
  * of two lights can cancel at the nodes. */
 static inline int has_horizon(const cell_rows *r, const int16_t *a, const int16_t *m, const int16_t *b) {
     int32_t most = 0;
-    if (a[UNSEEN] == m[UNSEEN] && m[UNSEEN] == b[UNSEEN])
+    if (a[FACED_AWAY] == m[FACED_AWAY] && m[FACED_AWAY] == b[FACED_AWAY])
         return 0;
     for (int c = 0; c < 3; c++)
         most = glint_most(most, (a[c] < b[c] ? b[c] - a[c] : a[c] - b[c]) << r->level_bits[c]);

@@ -5,7 +5,6 @@
 own_flush.py --host GLINT --stream PANEL_STREAM --output DIRECTORY BOARD=FIRMWARE
 """
 import os
-import subprocess
 import sys
 
 import show
@@ -36,9 +35,7 @@ def main():
     for frame in range(FRAMES):
         picture = os.path.join(arguments.output, "own-%d" % frame)
         write_png(picture + ".ppm", picture + ".png")
-        drawn = subprocess.run([arguments.host, "render", *SCENE, "--rotate-x", str(frame * STEP), "--compare", picture + ".png"],
-                               capture_output=True, text=True)
-        tally.check(drawn.returncode == 0, "frame %d: %s" % (frame, drawn.stdout + drawn.stderr))
+        show.check_drawn(tally, "frame %d" % frame, arguments.host, [*SCENE, "--rotate-x", str(frame * STEP)], picture + ".png")
         data = read_netpbm(picture + ".ppm")[3]
         lit = sum(any(data[at:at + 3]) for at in range(0, len(data), 3))
         tally.check(lit > WIDTH * HEIGHT / 8, "frame %d: next to nothing is lit" % frame)

@@ -56,7 +56,10 @@ class Run:
         wires = Wires("0x%x.4" % MISC, "0x%x.0" % MISC, SPI_DATA, 
                       others={SPI_CONTROL: self._control, LEDS: self._leds, MISC: self._misc})
         with open(trace) as file, open(os.path.join(self.directory, "stream"), "w") as out:
-            Recorder(wires, out).record(file)
+            recorder = Recorder(wires, out)
+            for line in file:
+                recorder.read(line)
+            recorder.end()
         os.remove(trace)
 
     def _control(self, recorder, value):

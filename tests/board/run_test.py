@@ -45,10 +45,10 @@ def check_model(tally, name, board, build, host):
     dither = ["--dither"] if board.format == "mono" else []  # as panels of one bit do by themselves
     height, distance = eye(os.path.join(build, "run", "model.h"), board)
     for frame, picture in enumerate(pictures):
-        drawn = subprocess.run([host, "render", MODEL, "--centre", "--scale", "fit", "--rotate-y", str(10 * frame), "--light", "dir:-1,1,1",
-                                "--size", "%dx%d" % (board.width, board.height), "--format", board.format, "--eye",
-                                "0,%.9f,%.9f" % (height, distance), "--compare", picture, *dither], capture_output=True, text=True)
-        tally.check(drawn.returncode == 0, "%s, frame %d of a model: %s" % (name, frame, drawn.stdout + drawn.stderr))
+        show.check_drawn(tally, "%s, frame %d of a model" % (name, frame), host,
+                         [MODEL, "--centre", "--scale", "fit", "--rotate-y", str(10 * frame), "--light", "dir:-1,1,1", "--size",
+                          "%dx%d" % (board.width, board.height), "--format", board.format, "--eye", "0,%.9f,%.9f" % (height, distance),
+                          *dither], picture)
 
 
 def check_program(tally, name, build):

@@ -22,6 +22,7 @@ import threading
 from panel import glass
 from qemu import Died, Machine, Tally, check_stack
 from picture import WRITE_MEMORY, Recorder, Wires, Wrong, read_netpbm, write_png
+import png  # tools/, where picture.py has it from
 
 FRAMES = ["torus576-0", "torus576-1", "teapot-0", "teapot-1"]
 ONE_MODEL = ("lm3s811evb",)  # boards whose flash holds but the torus
@@ -30,6 +31,20 @@ ONE_MODEL = ("lm3s811evb",)  # boards whose flash holds but the torus
 def names_of(lines):
     """Pictures that firmware said were done, as files are named."""
     return [line[:-len(" done")].replace(" ", "-") for line in lines if line.endswith(" done")]
+
+
+def rows_of(path):
+    """The rows of a picture, grey as red, green and blue."""
+    with open(path, "rb") as file:
+        return [[pixel * (3 // len(pixel)) for pixel in row] for row in png.decode(file.read()).rows]
+
+
+def check_drawn(tally, what, host, arguments, picture):
+    """Checks that a picture is what `glint render` draws by these arguments."""
+    with tempfile.TemporaryDirectory() as folder:
+        drawn = os.path.join(folder, "drawn.png")
+        run = subprocess.run([host, "render", *arguments, "-o", drawn], capture_output=True, text=True)
+        tally.check(run.returncode == 0 and rows_of(drawn) == rows_of(picture), "%s: not what glint render draws; %s" % (what, run.stderr))
 
 
 class Pico:

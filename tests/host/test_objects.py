@@ -38,7 +38,7 @@ def compiles(host, text, use):
     for compiler, suffix in COMPILERS:
         host.write(f"use.{suffix}", f'#include "car.h"\n#include "car.h"\nint main(void);\nint main(void) {{ return {use}; }}\n')
         run = subprocess.run([compiler, *(["-std=c99"] if suffix == "c" else []), *STRICT, "-fsyntax-only", f"use.{suffix}"],
-                             cwd=host.folder.name, capture_output=True, text=True, check=False)
+                             cwd=host.folder, capture_output=True, text=True, check=False)
         host.equal(f"{use} with {compiler}", (run.returncode, run.stderr), (0, ""))
     os.remove(host.path("car.h"))
 
@@ -113,7 +113,7 @@ def test_two_in_one_program(host):
     host.write("use.c", '#include "far.h"\n#include "near.h"\n#include "whole.h"\nint main(void);\nint main(void) { '
                "return !(far_mesh.triangle_count < near_mesh.triangle_count && near_mesh.triangle_count == whole_mesh.triangle_count); }\n")
     library = os.path.join(os.path.dirname(host.program), "libglint.a")
-    run = subprocess.run(["cc", "-std=c99", *STRICT, "use.c", "whole.c", library, "-o", "use"], cwd=host.folder.name, capture_output=True,
+    run = subprocess.run(["cc", "-std=c99", *STRICT, "use.c", "whole.c", library, "-o", "use"], cwd=host.folder, capture_output=True,
                          text=True, check=False)
     host.equal("both are included", (run.returncode, run.stderr), (0, ""))
     host.equal("and are two", subprocess.run([host.path("use")], check=False).returncode, 0)
