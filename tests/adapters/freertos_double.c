@@ -2,7 +2,7 @@
 /* Tasks, a queue and notifications of FreeRTOS by threads. */
 #include "adapters.h"
 
-#include <adapters/freertos.h>
+#include <adapters/glint_freertos.h>
 #include <pthread.h>
 #include <string.h>
 

@@ -5,7 +5,7 @@
  */
 #include "adapters.h"
 
-#include <adapters/linux.h>
+#include <adapters/glint_linux.h>
 #include <errno.h>
 #include <linux/fb.h>
 #include <stdarg.h>

@@ -2,8 +2,8 @@
 /* Displays of Zephyr and of u8g2's device layer, in memory. */
 #include "adapters.h"
 
-#include <adapters/u8g2.h>
-#include <adapters/zephyr.h>
+#include <adapters/glint_u8g2.h>
+#include <adapters/glint_zephyr.h>
 #include <string.h>
 
 static uint8_t screen[ADAPTED_BYTES];

@@ -2,7 +2,7 @@
 /* ST's HAL: an SPI whose DMA reads what the cache has written back, when it is asked whether it has ended. */
 #include "adapters.h"
 
-#include <adapters/stm32_hal.h>
+#include <adapters/glint_stm32_hal.h>
 #include <string.h>
 
 struct GPIO_TypeDef {

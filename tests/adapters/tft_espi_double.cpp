@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include <adapters/tft_espi.h>
+#include <adapters/glint_tft_espi.h>
 #include <string.h>
 
 extern "C" {

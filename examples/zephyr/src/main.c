@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* A teapot that turns on the board's display: of RGB565, RGB888 or 8-bit grey. */
-#include <adapters/zephyr.h>
+#include <adapters/glint_zephyr.h>
 #include <glint.h>
 #include <turntable/turntable.h>
 #include <zephyr/device.h>

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "tft_espi.h"
+#include "glint_tft_espi.h"
 
 static int push_tile(void *context, int x, int y, int width, int height, const void *pixels, size_t stride) {
     TFT_eSPI &display = *static_cast<TFT_eSPI *>(context);

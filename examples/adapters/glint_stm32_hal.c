@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "stm32_hal.h"
+#include "glint_stm32_hal.h"
 
 /* Milliseconds that a transfer may take, and bytes that the HAL counts in one. */
 enum { PATIENCE = 200, MOST = 65535 };

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "zephyr.h"
+#include "glint_zephyr.h"
 
 static int write_tile(void *context, int x, int y, int width, int height, const void *pixels, size_t stride) {
     const adapter_zephyr *const display = context;

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "u8g2.h"
+#include "glint_u8g2.h"
 
 /* A tile of u8x8 is 8 pixels high and wide, a byte a column: a page of glint's tile is some of them side by side. */
 static int draw_pages(void *context, int x, int y, int width, int height, const void *pixels, size_t stride) {

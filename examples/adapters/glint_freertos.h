@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /**
- * @file freertos.h
+ * @file glint_freertos.h
  * Renderers in tasks of FreeRTOS that share one panel: a task of its own sends the tiles that the others queue, so that
  * a renderer goes on with its next tile meanwhile.
  */

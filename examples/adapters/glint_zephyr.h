@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /**
- * @file zephyr.h
+ * @file glint_zephyr.h
  * Zephyr's display interface. Formats that agree: PIXEL_FORMAT_RGB_565 and glint_format_rgb565_be, RGB_888 and rgb888,
  * L_8 and grey8, MONO01 with SCREEN_INFO_MONO_VTILED and mono_pages (tiles as wide as the screen).
  */

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /**
- * @file u8g2.h
+ * @file glint_u8g2.h
  * Monochrome displays through u8g2's device layer, u8x8, which needs no buffer of its own: glint_format_mono_pages,
  * a screen whose width and height are multiples of 8.
  */

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "freertos.h"
+#include "glint_freertos.h"
 
 void adapter_freertos_send(void *sender) {
     const adapter_freertos_sender *const s = sender;

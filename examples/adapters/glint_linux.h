@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /**
- * @file linux.h
+ * @file glint_linux.h
  * A screen of Linux without a window system: a framebuffer (/dev/fb0) or a dumb buffer of DRM (/dev/dri/card0, with
  * libdrm), 16 bits a pixel: glint_format_rgb565.
  */
@@ -20,7 +20,7 @@ typedef struct adapter_linux_screen {
 /** Opens and maps a framebuffer. @return 0, or an errno: then nothing is open */
 int adapter_linux_open_fb(adapter_linux_screen *screen, const char *path);
 
-/** Shows a dumb buffer on the first connected screen, in its preferred mode (linux_drm.c). @return the same */
+/** Shows a dumb buffer on the first connected screen, in its preferred mode (glint_linux_drm.c). @return the same */
 int adapter_linux_open_drm(adapter_linux_screen *screen, const char *path);
 
 /** Closes either; the kernel takes a dumb buffer back with its file. */

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "linux.h"
+#include "glint_linux.h"
 
 #include <errno.h>
 #include <fcntl.h>

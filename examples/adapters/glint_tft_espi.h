@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /**
- * @file tft_espi.h
+ * @file glint_tft_espi.h
  * Colour displays through TFT_eSPI, an Arduino library: glint_format_rgb565.
  */
 #ifndef ADAPTER_TFT_ESPI_H

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /**
- * @file stm32_hal.h
+ * @file glint_stm32_hal.h
  * The bus to a panel (port/panel/bus.h) over ST's HAL, from STM32F0 to H7: the DMA sends a tile while the core draws
  * the next one. STM32CubeMX makes main.h, and starts SPI and pins.
  */
