@@ -26,7 +26,7 @@ lm3s6965evb_ARENA := 49152
 lm3s811evb_CPU    := -mcpu=cortex-m3 -mthumb
 lm3s811evb_PORT   := $(CORTEX_M) lm3s811evb lm3s
 lm3s811evb_PANEL  := panel.c pages.c ssd0303.c i2c.c
-lm3s811evb_ARENA  := 4624
+lm3s811evb_ARENA  := 5752
 lm3s811evb_TILE   := 32 8
 lm3s811evb_MODELS := 1
 
@@ -43,6 +43,10 @@ mps2-an385_ARENA := 262144
 # ARMv6-M code runs on the M3 of the same board: a Cortex-M0 with room to spare.
 mps2-an385-m0_LIKE := mps2-an385
 mps2-an385-m0_CPU  := -mcpu=cortex-m0 -mthumb
+
+# The same with the functions that loop over pixels in RAM, whose gain is measured.
+mps2-an385-hot_LIKE := mps2-an385
+mps2-an385-hot_CPU  := $(mps2-an385-m0_CPU) -DGLINT_HOT_SECTION='".glint_hot"'
 
 # The Cortex-M4F uses its floating point only for the float renderer that frames are compared with.
 mps2-an386_LIKE     := mps2-an385
@@ -73,7 +77,7 @@ netduinoplus2_ARENA := 98304
 stm32vldiscovery_CPU   := -mcpu=cortex-m3 -mthumb
 stm32vldiscovery_PORT  := $(CORTEX_M) stm32vldiscovery stm32
 stm32vldiscovery_PANEL := panel.c pages.c ssd1306.c
-stm32vldiscovery_ARENA := 4416
+stm32vldiscovery_ARENA := 5544
 stm32vldiscovery_TILE  := 16
 
 # RISC-V has no floating point here, and no global pointer to small data.
@@ -120,6 +124,8 @@ PROGRAM_scenes    := examples/firmware/scenes_main.c examples/firmware/shown.c $
 STACK_scenes      := 4608
 PROGRAM_animate   := examples/firmware/animate_main.c examples/firmware/animation.c $(EXAMPLE_SCENES)
 STACK_animate     := 5120
+PROGRAM_night     := examples/firmware/night_main.c $(EXAMPLE_SCENES)
+STACK_night       := $(STACK_animate)
 PROGRAM_compose   := examples/firmware/compose_main.c $(wildcard examples/compose/*.c)
 PROGRAM_moving    := examples/firmware/moving_main.c examples/moving/moving.c
 PROGRAM_own_flush := $(BUILD)/readme/own_flush.c tests/board/lcd.c
@@ -128,10 +134,11 @@ IDENTITY_FRAMES   := tests/board/identity.c tests/board/frames.c $(TURNTABLE) $(
 PROGRAM_identity     := tests/board/identity_board.c $(IDENTITY_FRAMES)
 PROGRAM_identity-16k := tests/board/identity_16k_board.c $(IDENTITY_FRAMES)
 PROGRAM_identity-8k  := tests/board/identity_8k_board.c $(IDENTITY_FRAMES)
+STACK_identity-8k    := 2920
 PROGRAM_unit      := tests/board/unit.c tests/harness.c $(wildcard tests/unit/*.c)
-STACK_unit        := 4224
+STACK_unit        := 3096
 PROGRAM_unit-pico := tests/board/unit_pico.c $(filter-out tests/unit/unit.c,$(PROGRAM_unit))
-STACK_unit-pico   := 4224
+STACK_unit-pico   := 3096
 PROGRAM_unit-8k   := tests/board/unit.c tests/board/unit_8k.c tests/harness.c \
     $(addprefix tests/unit/,generators.c domains.c drawing.c)
 PROGRAM_faults-lm3s6965evb := tests/board/faults.c tests/board/faults_lm3s6965evb.c $(TURNTABLE)
@@ -145,8 +152,12 @@ PROGRAM_methods   := tools/bench/methods.c $(METHODS)
 # These measure, and are not for a board to run.
 WORKLOADS             := tools/bench/workloads.c tools/bench/boxes.c $(EXAMPLE_SCENES)
 PROGRAM_workloads     := tools/bench/workload_frames.c $(WORKLOADS)
+PROGRAM_default_frames := tools/bench/default_frames.c $(WORKLOADS)
 FLOAT_RENDERER        := $(filter-out %/frames.c,$(wildcard tools/bench/float/*.c)) $(WORKLOADS)
 PROGRAM_float         := tools/bench/float/frames.c $(FLOAT_RENDERER)
+PROGRAM_frame_board   := tools/chart/frame_board.c $(WORKLOADS)
+PROGRAM_frame_float_board := tools/chart/frame_float_board.c $(FLOAT_RENDERER)
+PROGRAM_painted       := tests/stack/painted.c $(WORKLOADS)
 PROGRAM_arena_board   := tools/chart/arena_board.c $(EXAMPLE_SCENES)
 PROGRAM_gallery_costs := tools/gallery/costs_board.c $(EXAMPLE_SCENES)
 PROGRAM_animate-marked := $(PROGRAM_animate) tools/boards/marked.c
@@ -166,6 +177,7 @@ BOARD_m3   := mps2-an385
 BOARD_m0   := mps2-an385-m0
 BOARD_m4   := mps2-an386
 BOARD_m4f  := mps2-an386-m4f
+BOARD_hot  := mps2-an385-hot
 BOARD_rv32 := virt
 MEASURED   := mps2-an385 mps2-an385-m0 mps2-an386 virt
 # Panels in colour come with flash for all meshes, and for code that is built for speed.
@@ -181,18 +193,20 @@ FIRMWARE := $(patsubst %,$(BUILD)/%.elf, \
     $(foreach board,mps2-an385 mps2-an385-m0 virt,$(addprefix $(board)/,O0/identity Os/identity O2/identity)) \
     xtensa/Os/identity xtensa/O2/identity sifive_e/release/identity-16k lm3s811evb/release/identity-8k \
     $(MEASURED:%=%/O2/frames) $(BOARDS:%=%/release/show) \
-    $(COLOUR_BOARDS:%=%/O2/animate) $(addprefix mps2-an385/O2/,compose moving own_flush) \
+    $(COLOUR_BOARDS:%=%/O2/animate) pico/O2/night $(addprefix mps2-an385/O2/,compose moving own_flush) \
     $(foreach board,$(FAULT_BOARDS),$(board)/release/faults-$(board)) pico/release/unit-pico $(UNIT_8K_BOARDS:%=%/release/unit-8k) \
-    mps2-an385/O2/power_cut mps2-an385/O2/endurance $(MEASURED:%=%/O2/methods) \
-    $(foreach board,mps2-an385 mps2-an385-m0,$(board)/O2/scaling))
+    mps2-an385/O2/power_cut mps2-an385/O2/endurance $(MEASURED:%=%/O2/methods))
+# The stack of every public function is measured on these.
+PAINTED   := $(foreach board,mps2-an385-m0 mps2-an385,$(board)/Os/painted $(board)/O2/painted)
 MEASURING := $(patsubst %,$(BUILD)/%.elf,$(MEASURED:%=%/O2/workloads) $(MEASURED:%=%/O2/frame_board) \
-    $(foreach board,mps2-an385 mps2-an385-m0 mps2-an386 mps2-an386-m4f,$(board)/O2/loops) mps2-an386-m4f/O2/float \
+    mps2-an385/O2/default_frames $(foreach board,mps2-an385 mps2-an385-m0 mps2-an386 mps2-an386-m4f,$(board)/O2/loops) mps2-an386-m4f/O2/float mps2-an386-m4f/O2/frame_float_board \
     mps2-an385/O2/animate-marked netduinoplus2/O2/animate-marked-polled mps2-an385/O2/shading_board mps2-an385/O2/arena_board \
-    mps2-an385/O2/gallery_costs mps2-an385-m0/O2/gallery_costs)
+    mps2-an385/O2/gallery_costs mps2-an385-m0/O2/gallery_costs mps2-an385-hot/O2/frames mps2-an385-hot/O2/workloads \
+    $(PAINTED))
 
 # Boards and levels that objects are built for, as <board>/<level>.
 FOLDERS := $(BOARDS:%=%/release) $(foreach board,$(MEASURED),$(board)/O0 $(board)/Os $(board)/O2) \
-    $(patsubst %,%/O2,$(filter-out $(MEASURED),$(COLOUR_BOARDS))) mps2-an386-m4f/Os mps2-an386-m4f/O2 \
+    $(patsubst %,%/O2,$(filter-out $(MEASURED),$(COLOUR_BOARDS))) mps2-an386-m4f/Os mps2-an386-m4f/O2 mps2-an385-hot/O2 \
     xtensa/Os xtensa/O2
 
 # ---- The rules
@@ -255,7 +269,8 @@ $(RUN:%=%/run.elf) $(RUN_MODEL) $(call objects,$(RUN),$(RUN_OWN)): FORCE
 $(call objects,$(RUN),$(RUN_OWN)): FIRMWARE_CFLAGS += -Wno-error
 $(call objects,$(RUN),$(PROGRAM_model)): $(RUN_MODEL)
 $(call objects,$(RUN),$(PROGRAM_model)): FIRMWARE_CFLAGS += -DMODEL_HEADER=\"$(abspath $(RUN_MODEL))\" \
-    $$(grep -q model_objects $(RUN_MODEL) && echo -DMODEL_HAS_MATERIALS)
+    $$(grep -q model_objects $(RUN_MODEL) && echo -DMODEL_HAS_MATERIALS) \
+    $$(grep -q GLINT_BLEND_ALPHA $(RUN_MODEL) && echo -DMODEL_BLENDS)
 
 # $(call firmware_sources,board/level/program): also the board's
 firmware_sources = $(or $(PROGRAM_$(notdir $1)),$(call program_file,$(notdir $1))) $(call board_sources,$(call board,$1))
@@ -269,7 +284,7 @@ $(FIRMWARE) $(MEASURING) $(RUN:%=%/run.elf): $(BUILD)/%.elf: $$(call objects,$$(
 
 # These read the benchmark's scenes, which a program of this machine writes.
 $(foreach folder,$(filter %/Os %/O2,$(FOLDERS)),$(addprefix $(BUILD)/$(folder)/tools/,bench/frames.o bench/workloads.o \
-    chart/frame_board.o chart/arena_board.o scaling/scaling.o)): $(BUILD)/bench/bench_scenes.h
+    chart/arena_board.o)): $(BUILD)/bench/bench_scenes.h
 $(BUILD)/mps2-an385/O2/tools/chart/arena_board.o: $(BUILD)/bench/spot.h
 $(BUILD)/mps2-an386-m4f/O2/%.o: FIRMWARE_CFLAGS += -Itools/bench -Itools/bench/float
 

@@ -3,9 +3,9 @@
 
 HOST_PROGRAM   := $(BUILD)/host/glint
 # The double-precision reference with the library's own geometry, and what writes pictures.
-JUDGE_SOURCES  := tests/reference/reference.c tests/reference/lighting.c tests/image/library_geometry.c tests/image/picture.c
+JUDGE_SOURCES  := tests/reference/reference.c tests/reference/lighting.c tests/reference/sampling.c tests/image/library_geometry.c tests/image/picture.c
 PNG_SOURCES    := $(addprefix port/host/,framebuffer.c png.c deflate.c output.c basics.c)
-IMPORT_SOURCES := $(wildcard port/host/import/*.c)
+IMPORT_SOURCES := $(wildcard port/host/import/*.c) port/host/physical.c
 HOST_SOURCES   := $(wildcard port/host/*.c)
 HOST_OBJECTS   := $(call objects,$(BUILD)/host,$(HOST_SOURCES))
 # Programs beside glint link all of it but its main function.
@@ -86,12 +86,13 @@ view: $(VIEW_PROGRAM) ## show VIEW=torus:48x24, or a file, in a window; takes SD
 PREFIX        ?= /usr/local
 INSTALL        = $(DESTDIR)$(PREFIX)
 PUBLIC_HEADERS := $(wildcard src/*.h)
-INSTALLED      = $(INSTALL)/bin/glint $(INSTALL)/lib/libglint.a $(INSTALL)/lib/pkgconfig/glint.pc \
+PROGRAMS       := $(HOST_PROGRAM) $(IMPORT_PROGRAM)
+INSTALLED      = $(PROGRAMS:$(BUILD)/host/%=$(INSTALL)/bin/%) $(INSTALL)/lib/libglint.a $(INSTALL)/lib/pkgconfig/glint.pc \
     $(PUBLIC_HEADERS:src/%=$(INSTALL)/include/%)
 
-install: $(HOST_PROGRAM) $(BUILD)/host/libglint.a ## the glint program, library and headers to DESTDIR and PREFIX
+install: $(PROGRAMS) $(BUILD)/host/libglint.a ## glint, glint-import where there is assimp, library and headers to DESTDIR and PREFIX
 	install -d $(sort $(dir $(INSTALLED)))
-	install $(HOST_PROGRAM) $(INSTALL)/bin
+	install $(PROGRAMS) $(INSTALL)/bin
 	install -m 644 $(BUILD)/host/libglint.a $(INSTALL)/lib
 	install -m 644 $(PUBLIC_HEADERS) $(INSTALL)/include
 	sed -e 's|@PREFIX@|$(PREFIX)|' -e "s|@VERSION@|`tools/version.sh print`|" tools/packages/glint.pc.in > $(INSTALL)/lib/pkgconfig/glint.pc

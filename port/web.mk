@@ -2,8 +2,11 @@
 # The web page: the library, the host program and the reference for wasm32, and what docs/web/ is made of.
 
 WEB := $(BUILD)/web
+# Other formats than OBJ are not read there.
+WEB_WITHOUT := $(addprefix port/host/,main.c output.c importer.c child.c reader.c stl.c ply.c off.c json.c gltf.c gltf_data.c \
+    gltf_material.c physical.c)
 WEB_SOURCES := $(LIBRARY) \
-    $(filter-out %/main.c %/output.c %/importer.c %/child.c,$(HOST_SOURCES)) $(EXAMPLE_SCENES) $(JUDGE_SOURCES) \
+    $(filter-out $(WEB_WITHOUT),$(HOST_SOURCES)) $(EXAMPLE_SCENES) $(JUDGE_SOURCES) \
     $(addprefix port/web/,web.c measure.c files.c libc/libc.c) port/libc/memory.c
 WEB_OBJECTS := $(call objects,$(WEB),$(WEB_SOURCES)) $(WEB)/scenes/meshes.o
 # Scenes take the arrays of these two.

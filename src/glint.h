@@ -129,10 +129,10 @@ typedef struct glint_pose {
 
 /* ---- Meshes ------------------------------------------------------------------------------------------------------ */
 
-/** A layout stores attributes of a mesh otherwise than its arrays do: see the end of this header. */
+/** A layout stores attributes of a mesh otherwise than its arrays do: see glint_extras.h. */
 typedef struct glint_mesh_layout glint_mesh_layout;
 
-/** Clusters of a mesh let many triangles be dropped at once: see the end of this header. */
+/** Clusters of a mesh let many triangles be dropped at once. They stand at the end of this header. */
 typedef struct glint_clusters glint_clusters;
 
 /** Triangles are drawn from both sides. Seen from the back they are lit with the normal flipped. */
@@ -158,7 +158,35 @@ typedef struct glint_mesh {
     const glint_clusters *clusters;  /**< As `glint convert` writes them, or null; not used on
                                           double-sided meshes. Null where positions change. */
     const glint_mesh_layout *layout; /**< What stands in place of arrays that are null, or null. */
+    const int16_t (*texture_coordinates)[2]; /**< vertex_count u, v, steps, or null. From left to right, u of a
+                                                  texture goes from 0 to 1; from top to bottom, v does. */
+    glint_q16 texture_offset[2];             /**< u, v of step 0. */
+    glint_q16 texture_extent[2];             /**< Change of u, v over 32768 steps, 0 or more. */
 } glint_mesh;
+
+/* ---- Textures ---------------------------------------------------------------------------------------------------- */
+
+/** A texture type says how texels are stored. It is one of the descriptors below. */
+typedef struct glint_texture_type glint_texture_type;
+
+extern const glint_texture_type glint_texture_rgb565;     /**< uint16 a texel, RRRRRGGGGGGBBBBB. */
+extern const glint_texture_type glint_texture_grey8;      /**< uint8 a texel, 255 for white. */
+extern const glint_texture_type glint_texture_palette256; /**< uint8 a texel: a number of the palette. */
+extern const glint_texture_type glint_texture_palette16;  /**< 4 bits a texel, the left one in the high half. */
+
+/** A texel that is stored as `key` is a hole: nothing is drawn there. */
+#define GLINT_TEXTURE_HAS_KEY 1u
+
+/** A texture is a picture that surfaces wear, in flash or RAM. The caller owns it. It is read while a frame is drawn
+ * and never written. */
+typedef struct glint_texture {
+    const glint_texture_type *type; /**< How texels are stored. */
+    const void *texels;             /**< Row after row, from the top one; of RGB565 aligned to 2. */
+    const uint16_t *palette;        /**< 256 or 16 colours, RGB565; null for types without a palette. */
+    uint16_t width, height;         /**< Powers of two, 1 to 1024. */
+    uint16_t flags;                 /**< 0 or GLINT_TEXTURE_HAS_KEY. */
+    uint16_t key;                   /**< The texel that is a hole, as it is stored. */
+} glint_texture;
 
 /* ---- Materials --------------------------------------------------------------------------------------------------- */
 
@@ -183,6 +211,20 @@ extern const glint_shading_model glint_model_unlit;
 /** The larger of diffuse + specular and ambient counts, channel by channel, in place of their sum. */
 #define GLINT_MATERIAL_MAX_WITH_AMBIENT 2u
 
+/** Beyond its edges a texture shows the texels at them; else it repeats. */
+#define GLINT_MATERIAL_CLAMP 4u
+
+/** Between the middles of texels their colours are interpolated; else the nearest texel shows. */
+#define GLINT_MATERIAL_BILINEAR 8u
+
+/** A blend says how a surface mixes with what is behind it. All but GLINT_BLEND_NONE need glint_config.layers. */
+typedef enum glint_blend {
+    GLINT_BLEND_NONE = 0,    /**< It is opaque. */
+    GLINT_BLEND_ALPHA = 1,   /**< It lets 1 - opacity of it through: glass. */
+    GLINT_BLEND_ADD = 2,     /**< It adds opacity times its own colour: glows. */
+    GLINT_BLEND_DITHERED = 3 /**< It covers a part of the pixels, as many as `opacity` says, in a pattern of 8 x 8. */
+} glint_blend;
+
 /** A material says how an object reflects. Each channel is from 0 to GLINT_COLOUR_MAX. */
 typedef struct glint_material {
     const glint_shading_model *model; /**< How it reflects. */
@@ -191,14 +233,16 @@ typedef struct glint_material {
     glint_colour specular;            /**< Times each light's specular colour: white for plastic, the diffuse one for
                                            metal. */
     glint_q16 shininess;              /**< Specular exponent p, 0 or more, any real number; 0^0 is 1. */
-    uint32_t flags;                   /**< 0, or GLINT_MATERIAL_SPECULAR_UNGATED and
-                                           GLINT_MATERIAL_MAX_WITH_AMBIENT. */
+    uint32_t flags;                   /**< 0, or the sum of GLINT_MATERIAL_ flags above. */
+    const glint_texture *texture;     /**< Multiplies the ambient and diffuse colours, and of what is lit per vertex or
+                                           per facet all light; or null. */
+    glint_blend blend;                /**< Whether it is opaque. */
+    glint_q16 opacity;                /**< Where it blends: 0 to 1. */
 } glint_material;
 
 /**
  * Makes a surface of one paint: ambient paint * ambient_fraction, each channel rounded to nearest, diffuse paint, and a
- * white highlight. Under ambient light of the lights' colour this needs a paint, a fraction and an exponent, where the
- * full model needs six colours. Where all three terms meet, channels may pass 1 and are clamped.
+ * white highlight. Where all three terms meet, channels may pass 1 and are clamped.
  * @param model how it reflects
  * @param paint each channel from 0 to 1
  * @param ambient_fraction 0 to 1
@@ -276,18 +320,10 @@ glint_light glint_spot(glint_vector position, glint_vector at, glint_colour colo
 
 /* ---- Poses ------------------------------------------------------------------------------------------------------- */
 
-/**
- * Returns the sine of an angle.
- * @param degrees any angle, Q16.16
- * @return Q16.16
- */
+/** Returns the sine of an angle. @param degrees any angle, Q16.16 @return Q16.16 */
 glint_q16 glint_sin(glint_q16 degrees);
 
-/**
- * Returns the cosine of an angle.
- * @param degrees any angle, Q16.16
- * @return Q16.16
- */
+/** Returns the cosine of an angle. @param degrees any angle, Q16.16 @return Q16.16 */
 glint_q16 glint_cos(glint_q16 degrees);
 
 /** Returns the pose that changes nothing. @return the pose */
@@ -338,8 +374,8 @@ glint_pose glint_pose_then(const glint_pose *first, const glint_pose *second);
 /** An evaluation says where light is found; it is one of the descriptors below. */
 typedef struct glint_evaluation glint_evaluation;
 
-/** Light is found at every fragment, with the normal interpolated and made unit (Phong, 1975). This was long called
- * Phong shading. It goes with any model, and is not the Phong model, which is one kind of highlight. */
+/** Light is found at every fragment, with the normal interpolated and made unit (Phong shading, 1975). It goes with any
+ * model: the Phong model is another thing, one kind of highlight. */
 extern const glint_evaluation glint_per_fragment;
 
 /** Light is found at every vertex. Colours, clamped at 1, are interpolated (Gouraud, 1971). */
@@ -357,6 +393,8 @@ typedef struct glint_object {
     const glint_evaluation
         *evaluation; /**< Where it is lit; may be null where it is unlit and its mesh has no colours. */
     uint8_t hidden;  /**< Not 0: it is not drawn, and its pose may be anything. */
+    int16_t order;   /**< Of objects that blend: those of lower ones are drawn first, those of the same one from back to
+                          front. */
 } glint_object;
 
 /* ---- Cameras ----------------------------------------------------------------------------------------------------- */
@@ -383,19 +421,21 @@ typedef struct glint_camera {
     glint_q16 view_height;              /**< Where it is orthographic: the screen's height in units, 1/256 or more. */
 } glint_camera;
 
-/**
- * Returns a camera to begin with: 4 units from the origin on +z, looking there, with a field of view of 45 degrees and
- * the near plane at 0.1. glint_camera_look_at and glint_camera_orbit move it.
- * @return the camera
- */
+/** Returns a camera to begin with: 4 units from the origin on +z, looking there, with a field of view of 45 degrees and
+ * the near plane at 0.1. glint_camera_look_at and glint_camera_orbit move it. @return the camera */
 glint_camera glint_camera_default(void);
 
 /*
  * In perspective depths reach from the near plane to 2^33 times as far, the range of all coordinates, and all are
- * drawn. Up to 2^12 times as far as the nearest corner of any visible object's bounding box, colours are as exact as
- * anywhere. Beyond, 1/w has fewer than 16 bits. Coverage is still exact and pixels are the same on every core, but
- * lights with a position and values interpolated across a triangle are exact to those bits only. From 2^16 times on all
- * depths tie.
+ * drawn, with the same pixels on every core. How exact they are is told by the depth as a multiple of that of the
+ * nearest corner of any visible object's bounding box (docs/stability.md has a chart):
+ * - Colours are as exact as anywhere up to 2^20 times that depth, per facet at any. Beyond, light per fragment or per
+ *   vertex and colours of vertices are 0.5 of 255 off on average at 2^24 and 2 at 2^25, single pixels up to 98.
+ *   Texture coordinates, and so texels and holes, lose their bits there, too.
+ * - Depths are told apart to 0.6 % at 2^10 times that depth and to 9 % at 2^14. From 2^16 on all tie.
+ *
+ * The near plane cuts an object to within a row of 72 where the extent of its mesh is 2^16 near planes, within three at
+ * 2^18 and seven at 2^20. Where the near plane is nearer than some 2^-24 extents, it cuts there.
  */
 
 /* ---- Scenes ------------------------------------------------------------------------------------------------------ */
@@ -405,6 +445,9 @@ typedef enum glint_viewer {
     GLINT_VIEWER_INFINITE = 0, /**< V is the camera's backward axis everywhere: cheaper. */
     GLINT_VIEWER_LOCAL = 1     /**< V points from each fragment to the eye. */
 } glint_viewer;
+
+/** Fog hides what is far away: see glint_extras.h. */
+typedef struct glint_fog glint_fog;
 
 /** A scene holds all that a frame shows. The caller owns it. It is read while a frame is drawn and never written. */
 typedef struct glint_scene {
@@ -416,6 +459,7 @@ typedef struct glint_scene {
     uint32_t light_count;        /**< 0 to GLINT_LIGHTS_MAX. */
     const glint_object *objects; /**< Nearest first is fastest: what is hidden is not lit. */
     uint32_t object_count;       /**< 0 or more. Where depths tie, the first drawn wins. */
+    const glint_fog *fog;        /**< Null for none. */
 } glint_scene;
 
 /* ---- Output ------------------------------------------------------------------------------------------------------ */
@@ -455,11 +499,8 @@ extern const glint_format glint_format_mono_pages_dithered; /**< As glint_format
 /** An output table has so many entries. */
 #define GLINT_GAMMA_ENTRIES 257
 
-/**
- * This is the output table of a panel that expects sRGB (IEC 61966-2-1), which shows linear colours too dark. It is no
- * default: panels have curves of their own, a frame costs more instructions with a table than without, and colours that
- * a user interface mixes with are 565 already. It uses 1.5 KB of flash where it is named.
- */
+/** This is the output table of a panel that expects sRGB (IEC 61966-2-1), which shows linear colours too dark. It uses
+ * 1.5 KB of flash where it is named, and a frame costs more instructions with a table than without. */
 extern const uint16_t glint_gamma_srgb[3][GLINT_GAMMA_ENTRIES];
 
 /** Returns the bytes of a row of pixels. @param format how they are stored @param width pixels @return bytes */
@@ -518,6 +559,12 @@ typedef struct glint_painter {
 /** Width and height are at most this. */
 #define GLINT_SIZE_MAX 1024
 
+/** Layers are what objects that blend are drawn with: see glint_extras.h. */
+typedef struct glint_layer_stage glint_layer_stage;
+
+/** Samples smooth edges: see glint_extras.h. */
+typedef struct glint_sampling glint_sampling;
+
 /** A configuration says how and where to draw. `glint_init` copies it; what it points to stays the caller's. */
 typedef struct glint_config {
     uint16_t width;             /**< Pixels, 1 to GLINT_SIZE_MAX. */
@@ -558,6 +605,8 @@ typedef struct glint_config {
      * triangles, with GLINT_ERROR_MESH. Nothing else of such a mesh is read.
      */
     uint8_t skips_degenerate;
+    const glint_layer_stage *layers; /**< &glint_layers where materials blend; or null. */
+    const glint_sampling *samples;   /**< &glint_samples_2x2 for smooth edges; or null. */
 } glint_config;
 
 /* ---- Errors ------------------------------------------------------------------------------------------------------ */
@@ -598,15 +647,20 @@ typedef enum glint_status {
     GLINT_ERROR_FORMAT = -26,   /**< A panel does not take pixels of this size, or its bus no words. */
     GLINT_ERROR_ROTATION = -27, /**< A panel's controller cannot turn the picture so. */
     GLINT_ERROR_TYPE = -28,     /**< A layout's type does not serve the attribute that it stands for. */
-    GLINT_ERROR_STRIDE = -29    /**< A layout's stride is less than one of its type takes, or its stride or its data are
+    GLINT_ERROR_STRIDE = -29,   /**< A layout's stride is less than one of its type takes, or its stride or its data are
                                      not aligned as that type is. */
+    GLINT_ERROR_TEXTURE = -30, /**< A texture's width or height is not a power of two from 1 to 1024, its key is none of
+                                    its type, or its object's mesh has no texture coordinates, or an extent below 0. */
+    GLINT_ERROR_BLEND = -31,   /**< A material's blend is none of those above, or its opacity is not from 0 to 1. */
+    GLINT_ERROR_LAYERS = -32,  /**< A material blends, or fog fades to a painted background, and the configuration has
+                                    no layers. */
+    GLINT_ERROR_FOG = -33,     /**< Fog does not end behind its start, or starts in front of the eye. */
+    GLINT_ERROR_SAMPLES = -34, /**< With samples, width or height is above 512, or a tile's above 32. */
+    GLINT_ERROR_WIDTH = -35    /**< A line's width is not from 0 to 64. */
 } glint_status;
 
-/**
- * Returns the meaning of a status.
- * @param status a glint_status
- * @return a sentence in English; for a number that is no status, "unknown status". Never null.
- */
+/** Returns the meaning of a status. @param status a glint_status @return a sentence in English; "unknown status" for
+ * any other number; never null */
 const char *glint_strerror(int status);
 
 /* ---- Drawing ----------------------------------------------------------------------------------------------------- */
@@ -687,11 +741,8 @@ typedef struct glint_need {
  */
 glint_status glint_arena_need(const glint_config *config, const glint_scene *scene, glint_need *need);
 
-/**
- * Returns the bytes of `pixels` that glint_render needs where they are apart from the arena.
- * @param config what is to be drawn with
- * @return 0 when the configuration is null or not valid
- */
+/** Returns the bytes of `pixels` that glint_render needs where they are apart from the arena. @param config what is to
+ * be drawn with @return 0 when the configuration is null or not valid */
 size_t glint_pixels_need(const glint_config *config);
 
 /* ---- Where a camera looks ---------------------------------------------------------------------------------------- */
@@ -716,70 +767,7 @@ glint_status glint_camera_look_at(glint_camera *camera, glint_vector eye, glint_
  */
 void glint_camera_orbit(glint_camera *camera, glint_vector at, glint_q16 yaw, glint_q16 pitch, glint_q16 distance);
 
-/* ---- Layouts of meshes ------------------------------------------------------------------------------------------- */
-
-/*
- * A layout stores attributes of a mesh in fewer bits than its arrays do, or in structs of the caller's. Firmware that
- * names no type of these has no code for them.
- */
-
-/** An attribute type says how an attribute is stored. It is one of the descriptors below. Numbers are in the machine's
- * own byte order. */
-typedef struct glint_attribute_type glint_attribute_type;
-
-/** Positions are three int16, steps. Normals are three int16, any length but 0. Both have 6 bytes, aligned to 2. */
-extern const glint_attribute_type glint_attribute_int16;
-
-/** Positions are three int8, each 256 steps. Normals are three int8, any length but 0. Both have 3 bytes. */
-extern const glint_attribute_type glint_attribute_int8;
-
-/**
- * Normals are x and y of the octahedron |x| + |y| + |z| = 1, whose half with z < 0 is folded outwards onto a square
- * (Meyer et al., 2010; Cigolle et al., 2014). They are two int16, 32767 for 1, -32768 as -32767: 4 bytes, aligned to 2.
- * They are decoded exactly, except for the length. No direction is more than 0.0025 degrees from the nearest one
- * stored.
- */
-extern const glint_attribute_type glint_attribute_octahedral16;
-
-/** Normals of the octahedron are two int8, 127 for 1, -128 as -127: 2 bytes. No direction is more than 0.64 degrees
- * from the nearest. */
-extern const glint_attribute_type glint_attribute_octahedral8;
-
-/** Triangles are three uint16: 6 bytes, aligned to 2. */
-extern const glint_attribute_type glint_attribute_uint16;
-
-/** Triangles are three uint8, for up to 256 vertices: 3 bytes. */
-extern const glint_attribute_type glint_attribute_uint8;
-
-/** Colours are red, green and blue times 255: 3 bytes. */
-extern const glint_attribute_type glint_attribute_rgb888;
-
-/** Colours are RGB565: 2 bytes, aligned to 2. */
-extern const glint_attribute_type glint_attribute_rgb565;
-
-/** An attribute of a mesh is stored here. */
-typedef struct glint_mesh_attribute {
-    const glint_attribute_type *type; /**< Null for none. */
-    const void *data;                 /**< The first vertex's, or triangle's. */
-    uint32_t stride;                  /**< Bytes from one to the next; 0: one follows the other. */
-} glint_mesh_attribute;
-
-/**
- * A layout has attributes in place of those arrays of a mesh that are null. Positions, normals and colours are decoded
- * when they are used; triangles use 6 bytes of arena each while their mesh is drawn whole. The caller owns a layout, as
- * it owns arrays.
- */
-struct glint_mesh_layout {
-    glint_mesh_attribute positions; /**< glint_attribute_int16 or _int8. */
-    glint_mesh_attribute normals;   /**< glint_attribute_int16, _int8, _octahedral8 or _octahedral16. */
-    glint_mesh_attribute triangles; /**< glint_attribute_uint16 or _uint8. */
-    glint_mesh_attribute colours;   /**< glint_attribute_rgb888 or _rgb565; used where both arrays of colours are
-                                         null. */
-};
-
 /* ---- Clusters of meshes ------------------------------------------------------------------------------------------ */
-
-/* `glint convert` writes clusters, and nothing else has to. */
 
 /** A cull drops triangles that face away, many at once. It is the descriptor below. */
 typedef struct glint_cull glint_cull;

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file glint_extras.h
- * This header has what a first program does without: generated meshes, a check that tells why a picture is black,
- * points of the screen, lines, tiles that did not change, frames drawn tile by tile. The conventions are those of
- * glint.h. A program links what it calls and nothing else.
+ * This header has what a first program does without: generated meshes, layouts of meshes, a check that tells why a
+ * picture is black, points of the screen, lines, tiles that did not change, frames drawn tile by tile. The conventions
+ * are those of glint.h. A program links what it calls and nothing else.
  */
 
 #ifndef GLINT_EXTRAS_H
@@ -100,6 +100,67 @@ glint_status glint_generate_box(glint_mesh *mesh, const glint_mesh_room *room, g
                                 glint_q16 half_height, glint_q16 half_depth);
 /** @} */
 
+/* ---- Layouts of meshes ------------------------------------------------------------------------------------------- */
+
+/*
+ * A layout stores attributes of a mesh in fewer bits than its arrays do, or in structs of the caller's. Firmware that
+ * names no type of these has no code for them.
+ */
+
+/** An attribute type says how an attribute is stored. It is one of the descriptors below. Numbers are in the machine's
+ * own byte order. */
+typedef struct glint_attribute_type glint_attribute_type;
+
+/** Positions are three int16, steps. Normals are three int16, any length but 0. Both have 6 bytes, aligned to 2. */
+extern const glint_attribute_type glint_attribute_int16;
+
+/** Positions are three int8, each 256 steps. Normals are three int8, any length but 0. Both have 3 bytes. */
+extern const glint_attribute_type glint_attribute_int8;
+
+/**
+ * Normals are x and y of the octahedron |x| + |y| + |z| = 1, whose half with z < 0 is folded outwards onto a square
+ * (Meyer et al., 2010; Cigolle et al., 2014). They are two int16, 32767 for 1, -32768 as -32767: 4 bytes, aligned to 2.
+ * They are decoded exactly, except for the length. No direction is more than 0.0025 degrees from the nearest one
+ * stored.
+ */
+extern const glint_attribute_type glint_attribute_octahedral16;
+
+/** Normals of the octahedron are two int8, 127 for 1, -128 as -127: 2 bytes. No direction is more than 0.64 degrees
+ * from the nearest. */
+extern const glint_attribute_type glint_attribute_octahedral8;
+
+/** Triangles are three uint16: 6 bytes, aligned to 2. */
+extern const glint_attribute_type glint_attribute_uint16;
+
+/** Triangles are three uint8, for up to 256 vertices: 3 bytes. */
+extern const glint_attribute_type glint_attribute_uint8;
+
+/** Colours are red, green and blue times 255: 3 bytes. */
+extern const glint_attribute_type glint_attribute_rgb888;
+
+/** Colours are RGB565: 2 bytes, aligned to 2. */
+extern const glint_attribute_type glint_attribute_rgb565;
+
+/** An attribute of a mesh is stored here. */
+typedef struct glint_mesh_attribute {
+    const glint_attribute_type *type; /**< Null for none. */
+    const void *data;                 /**< The first vertex's, or triangle's. */
+    uint32_t stride;                  /**< Bytes from one to the next; 0: one follows the other. */
+} glint_mesh_attribute;
+
+/**
+ * A layout has attributes in place of those arrays of a mesh that are null. Positions, normals and colours are decoded
+ * when they are used; triangles use 6 bytes of arena each while their mesh is drawn whole. The caller owns a layout, as
+ * it owns arrays.
+ */
+struct glint_mesh_layout {
+    glint_mesh_attribute positions; /**< glint_attribute_int16 or _int8. */
+    glint_mesh_attribute normals;   /**< glint_attribute_int16, _int8, _octahedral8 or _octahedral16. */
+    glint_mesh_attribute triangles; /**< glint_attribute_uint16 or _uint8. */
+    glint_mesh_attribute colours;   /**< glint_attribute_rgb888 or _rgb565; used where both arrays of colours are
+                                         null. */
+};
+
 /* ---- Why a picture is black -------------------------------------------------------------------------------------- */
 
 /** This is what glint_check found. */
@@ -109,7 +170,8 @@ typedef struct glint_report {
     int32_t object;       /**< The object that it is about, or -1. */
     int32_t light;        /**< The light that it is about, or -1. */
     size_t bytes;         /**< How many bytes of arena, or of pixels, are missing; else 0. */
-    uint32_t shown;       /**< Pixels of the region that show an object, where the scene can be drawn. */
+    uint32_t shown;       /**< Pixels of the region that show an object, those that are blended aside, where the scene
+                               can be drawn. */
 } glint_report;
 
 /**
@@ -159,33 +221,90 @@ typedef struct glint_hit {
  */
 int glint_pick(glint_renderer *renderer, const glint_scene *scene, int x, int y, glint_hit *hit);
 
+/* ---- What is not opaque ------------------------------------------------------------------------------------------ */
+
+/**
+ * Layers draw objects that blend: `config.layers = &glint_layers`. Each tile then has its pixels and its depth twice,
+ * and what links them is in the program.
+ *
+ * An object that blends shows its nearest surface, of a closed mesh too, over what was drawn before it, and writes no
+ * depth. Objects of GLINT_BLEND_ALPHA and GLINT_BLEND_ADD are drawn after all others: by rising glint_object.order, of
+ * the same order from back to front by how far the middles of their meshes' boxes lie from the eye along the camera's
+ * axis, of the same depth as the scene has them. Objects of GLINT_BLEND_DITHERED are drawn with opaque ones, in any
+ * order, and write depth where they cover pixels: these whose threshold of ordered dithering, an odd number of 128ths,
+ * is below the opacity.
+ *
+ * Pixels are blended as they are stored, after output tables: (1 - a) old + a new, or old + a new and at most white, in
+ * levels of the format. The opacity a counts in steps of 1/256, in formats of 16 bits of 1/32. Dithered formats add
+ * their threshold, others half a level.
+ */
+extern const glint_layer_stage glint_layers;
+
+/** A fog type says how fog grows with depth. It is one of the descriptors below. */
+typedef struct glint_fog_type glint_fog_type;
+
+/** Let x be (depth - start) / (end - start), from 0 to 1: x of a surface's colour is fog. */
+extern const glint_fog_type glint_fog_linear;
+
+/** x^2 of a surface's colour is fog: it begins slowly. */
+extern const glint_fog_type glint_fog_squared;
+
+/**
+ * Fog fades surfaces to a colour by their depth, which is along the camera's axis. Of additive objects it takes light;
+ * those of GLINT_BLEND_ALPHA lose opacity where it fades to a painted background. Backgrounds have no fog. The caller
+ * owns it.
+ */
+struct glint_fog {
+    const glint_fog_type *type; /**< How it grows. */
+    glint_colour colour;        /**< What it fades to, from 0 to GLINT_COLOUR_MAX. */
+    glint_q16 start, end;       /**< Depths: 0 <= start < end. */
+    uint8_t to_background;      /**< Not 0: it fades to the background, painted (glint_config.layers) or not, in place
+                                     of the colour. */
+};
+
+/**
+ * Each pixel is the mean of 2 x 2 samples, which lie a quarter of a pixel from its middle in x and y, as they are
+ * stored and rounded; dithered formats dither samples, and their means by 64 thresholds over 8 x 8 pixels. Width and
+ * height are at most 512, those of tiles 32. A tile's depth and pixels, `glint_config.pixels` too, have four times the
+ * size. A background's painter paints pixels, whose samples are alike. Overlays are painted over means, and see the
+ * depth of the nearest sample; where there is no overlay, glint_tile.depth is of no use.
+ */
+extern const glint_sampling glint_samples_2x2;
+
 /* ---- Lines ------------------------------------------------------------------------------------------------------- */
 
 /*
- * Straight lines in space: edges, axes, boxes. Each is one pixel wide and of one colour, which no light changes, and is
- * hidden by what lies in front of it. They are projected to the screen before a frame, and drawn by its overlay:
+ * Straight lines in space: edges, axes, boxes. Each is of one colour, which no light changes, and is hidden by what
+ * lies in front of it. They are projected to the screen before a frame, and drawn by its overlay, one pixel wide or
+ * smooth:
  *
  *     glint_lines_project(segments, &config, &scene.camera, &pose, lines, count);    // and then glint_render
  *     int paint(void *context, const glint_tile *tile) { return glint_lines_draw(tile, segments, count); }
  *
  * A line ends where it passes the near plane or lies 1023 pixels from the screen's centre in x or y. Its ends are then
- * rounded to 1/16 of a pixel. A line that is at least as wide as it is high has one pixel in each column, from that of
- * its left end to that of its right end, both included: the pixel that holds the point where the line passes the
- * middle of the column or, where it ends before, its end. A steeper line has one pixel in each row, likewise. A point
- * between two pixels belongs to the right or the lower one. The same pixels come from both directions, and for every
- * tile, arena and region.
+ * rounded to 1/16 of a pixel. Without smoothing, a line that is at least as wide as it is high has one pixel in each
+ * column, from that of its left end to that of its right end, both included: the pixel that holds the point where the
+ * line passes the middle of the column or, where it ends before, its end. A steeper line has one pixel in each row,
+ * likewise. A point between two pixels belongs to the right or the lower one. The same pixels come from both
+ * directions, and for every tile, arena and region.
  *
  * A pixel's depth is that of this point, linear between the ends as that of a triangle is, and is tested and stored as
  * a triangle's is: a later line lies in front where it is nearer. A line counts as nearer to the eye than it is, by
  * the width of two pixels there, so that it is visible on a surface that it lies on, unless that surface leans by more
  * than 75 degrees. Lines do not count where the depth's scale is found: of lines in front of all objects none is
  * nearer than another, and where there are no objects, only the order counts.
+ *
+ * A smooth line is a rectangle of its width, cut straight across at its ends. It is blended with what is there by how
+ * much of a square of one pixel it covers, that lies around the pixel's middle and is turned along the line: min(1,
+ * size, size / 2 + 1/2 - distance) of its length and of its width, multiplied, to 1/128. A smooth line writes no depth:
+ * what is drawn after it lies in front of it.
  */
 
 /** A line is owned by the caller. */
 typedef struct glint_line {
     glint_vector from, to; /**< Before the pose. */
     glint_colour colour;   /**< Each channel from 0 to GLINT_COLOUR_MAX. */
+    glint_q16 width;       /**< Of a smooth line: pixels, 0 to 64; 0 for 1. */
 } glint_line;
 
 /** A segment is a line on the screen. The caller owns it; only glint_lines_project writes it. */
@@ -194,6 +313,7 @@ typedef struct glint_segment {
     int16_t x[2], y[2];    /* its ends, 28.4 */
     uint32_t inverse_w[2]; /* there: 1/w, w in Q28, is this over 2^exponent */
     uint8_t exponent[2];
+    uint16_t width;             /* 1/256 pixel */
     const glint_colour *colour; /* null where nothing of it shows */
 } glint_segment;
 
@@ -206,7 +326,7 @@ typedef struct glint_segment {
  * @param pose of the lines, to the world
  * @param lines `count` of them
  * @param count how many
- * @return GLINT_ERROR_NULL, _SIZE, _CAMERA or _COLOUR: then segments are as they were
+ * @return GLINT_ERROR_NULL, _SIZE, _CAMERA, _COLOUR or _WIDTH: then segments are as they were
  */
 glint_status glint_lines_project(glint_segment *segments, const glint_config *config, const glint_camera *camera,
                                  const glint_pose *pose, const glint_line *lines, uint32_t count);
@@ -220,6 +340,9 @@ glint_status glint_lines_project(glint_segment *segments, const glint_config *co
  * @return GLINT_OK, or GLINT_ERROR_NULL where there is no tile, or not one that a frame has handed out
  */
 glint_status glint_lines_draw(const glint_tile *tile, const glint_segment *segments, uint32_t count);
+
+/** Draws smooth lines in the same way. @param tile,segments,count as for glint_lines_draw @return as it does */
+glint_status glint_lines_draw_smooth(const glint_tile *tile, const glint_segment *segments, uint32_t count);
 
 /** Sets the twelve edges of a box. @param lines set @param from,to opposite corners @param colour of all */
 void glint_lines_box(glint_line lines[12], glint_vector from, glint_vector to, glint_colour colour);
@@ -322,6 +445,8 @@ typedef struct glint_frame {
     const glint_scene *scene;
     const struct glint_view *view;       /* camera and lights, prepared */
     const struct glint_shading *shading; /* materials, prepared */
+    const uint32_t *order;               /* of layers: the objects in the order in which they are drawn; or null */
+    const struct glint_fog_table *fog;   /* of use where the scene has fog */
     uint32_t shading_count;
     glint_memory memory;
     uint16_t tile_columns, tile_count;   /* of the region */
@@ -347,6 +472,8 @@ typedef struct glint_frame {
     uint32_t reference_count;
     uint8_t has_costly;            /* does this pass draw what is lit by fragments? */
     struct glint_clipped *clipped; /* above the last; they grow downwards */
+    const glint_sampling *samples; /* null for one sample a pixel; else all else here counts samples as pixels */
+    uint8_t has_long_slopes;       /* see src/pixel/format.h */
 } glint_frame;
 
 /** Scratch bytes of the arena are left free by a pass. One of its tiles stores results there, and others use them. */
@@ -363,9 +490,11 @@ typedef struct glint_workspace {
     size_t stride; /**< Bytes from row to row. */
     /** @privatesection */
     uint16_t *depth;
-    int32_t (*row)[3];         /* colours of two rows of a tile; of use as long as nothing is drawn */
-    struct glint_lamps *lamps; /* in the same place: the lights of what is drawn now */
+    int32_t (*row)[3];           /* colours of two rows of a tile; of use as long as nothing is drawn */
+    struct glint_lamps *lamps;   /* in the same place: the lights of what is drawn now */
+    struct glint_lit_room *room; /* behind them: the triangle that is drawn now */
     glint_spare spare;
+    struct glint_layer *layer; /* behind the room; of use where the configuration has layers */
 } glint_workspace;
 
 /** Returns the bytes of a workspace. @param config with which is drawn @return 0 when it is null or not valid */

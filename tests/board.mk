@@ -55,18 +55,23 @@ or_say = @$1 || { echo "$2" >&2; exit 1; }
 # An emulator takes the ELF file or, that of the Pico, the plain one; a programmer or a boot loader the others.
 RUN_FILES = $(addprefix $(RUN)/run.,elf hex $(if $(filter pico,$(BOARD)),bin uf2))
 FRAMES   ?= 4
+# On Arm's cores in QEMU a plugin counts.
+RUN_COUNTED = $(if $(filter cortex-m%,$(RUN_CPU)),$(if $(filter pico,$(BOARD)),,$(CYCLES_PLUGIN)))
+RUN_CPU     = $(patsubst -mcpu=%,%,$(filter -mcpu=%,$(call of,$(BOARD),CPU)))
 run: ## build MODEL=my.obj, or PROGRAM=main.c (or show, animate), for BOARD=pico, run it, and write what the panel shows to build/run
 	$(call or_say,test -n "$(RUN)",there is no board '$(BOARD)': BOARD is one of $(BOARDS))
 	$(call or_say,command -v $(call cross,$(BOARD))gcc > /dev/null,the compiler $(call cross,$(BOARD))gcc is missing: tools/setup.sh installs it)
 	$(call or_say,command -v $(if $(filter pico,$(BOARD)),npm,true) > /dev/null,npm is missing; the Pico's emulator comes by it: tools/setup.sh installs npm)
 	$(call or_say,ls $(PROGRAM_run) > /dev/null 2>&1,there is no program '$(PROGRAM)': PROGRAM is a C file or show or animate)
-	@$(MAKE) --no-print-directory $(if $(V),,-s) $(RUN_FILES) $(PANEL_STREAM) $(if $(filter pico,$(BOARD)),$(PICO_EMULATOR))
-	@python3 tests/board/run.py --stream $(PANEL_STREAM) --output $(BUILD)/run/$(BOARD) \
+	@$(MAKE) --no-print-directory $(if $(V),,-s) $(RUN_FILES) $(PANEL_STREAM) $(RUN_COUNTED) $(if $(filter pico,$(BOARD)),$(PICO_EMULATOR))
+	@python3 tests/board/run.py --stream $(PANEL_STREAM) --output $(BUILD)/run/$(BOARD) $(RUN_COUNTED:%=--plugin % --cpu $(RUN_CPU)) \
 	    $(if $(PROGRAM_$(PROGRAM):$(PROGRAM_model)=),,--frames $(FRAMES)) $(BOARD) $(RUN_FILES)
 
 # A board that the seed picks; its objects are there before another make builds the program.
 RUN_TESTED := $(call pick,5,$(SHOW_BOARDS) pico)
 run_parts   = $(call objects,$1,$(call board_sources,$(call board,$(1:$(BUILD)/%=%)))) $1/libglint.a
+# Programs that the web page exports run on these.
+test-web: $(foreach board,mps2-an385 lm3s6965evb,$(call run_parts,$(call run_folder,$(board))))
 test-board-run: $(HOST_PROGRAM) $(PANEL_STREAM) $(PICO_EMULATOR) $(foreach board,$(RUN_TESTED) template,$(call run_parts,$(call run_folder,$(board)))) ## make run: a model and a program of one's own on a board that a seed picks, against glint render; what it says
 	$(call sample,board)
 	@for board in $(RUN_TESTED); do python3 tests/board/run_test.py --host $(HOST_PROGRAM) --build $(BUILD) $$board || exit 1; done
@@ -139,7 +144,15 @@ $(BUILD)/stack/%/planted.elf: tests/stack/startup.c
 	$(Q)cd $(@D) && $(CROSS)gcc -mcpu=cortex-m0 -mthumb -g -Os -ffreestanding -fstack-usage -nostdlib -DPLANTED=$* \
 	    -Wl,-e,reset,-Ttext=0 $(abspath $<) -lgcc -o planted.elf
 	@echo 'planted: flash 0 (library 0), RAM 0 (stack 1024)' > $(@:.elf=.size)
-test-stack: $(STACK_PROGRAMS) $(patsubst %,$(BUILD)/stack/%/planted.elf,NOTHING $(STACK_PLANTED)) ## the deepest chain of calls of every firmware against the stack it has
+# The stack of public functions is painted, on both cores and built for size and for speed.
+PAINTED_CSV := $(BUILD)/stack/painted.csv
+$(PAINTED_CSV): $(PAINTED:%=$(BUILD)/%.elf) tests/stack/painted.py
+	@mkdir -p $(@D)
+	@python3 tests/stack/painted.py --qemu $(QEMU) --csv $@.new "M0 -Os=$(BUILD)/mps2-an385-m0/Os/painted.elf" "M0 -O2=$(BUILD)/mps2-an385-m0/O2/painted.elf" \
+	    "M3 -Os=$(BUILD)/mps2-an385/Os/painted.elf" "M3 -O2=$(BUILD)/mps2-an385/O2/painted.elf"
+	@mv $@.new $@
+
+test-stack: $(STACK_PROGRAMS) $(PAINTED_CSV) $(patsubst %,$(BUILD)/stack/%/planted.elf,NOTHING $(STACK_PLANTED)) ## the deepest chain of calls of every firmware against the stack it has; that of public functions, painted
 	@tools/stack/stack.py $(STACK_PROGRAMS)
 	@tools/stack/stack.py --targets tests/stack/targets.csv $(BUILD)/stack/NOTHING/planted.elf
 	@good=0; for planted in $(STACK_PLANTED); do \

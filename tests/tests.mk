@@ -7,8 +7,10 @@
 VARIANT_host := $(CC) $(CFLAGS)
 # Address and undefined-behaviour sanitisers, and conversions that change a value; a report ends the program. Unsigned
 # numbers may wrap: sums of hashes do, and two's complement in words.
+# What functions require of callers is checked too.
+REQUIRED := '-DGLINT_REQUIRE(condition)=((condition)?(void)0:__builtin_unreachable())'
 VARIANT_sanitize := clang -O1 -fsanitize=address,undefined,integer -fno-sanitize=unsigned-integer-overflow,unsigned-shift-base \
-    -fno-sanitize-recover=all -fno-omit-frame-pointer
+    -fno-sanitize-recover=all -fno-omit-frame-pointer $(REQUIRED)
 # gcc uses all that this machine has, which brings vectors and warnings of their own, or compiles across files; clang watches
 # for what was never written, and for what threads share.
 VARIANT_gcc-native := gcc -O3 -march=native
@@ -93,11 +95,12 @@ TEST_HARNESS  := tests/harness.c tests/main.c
 BENCH_SCENES  := examples/bench/bench.c $(CLUSTERS)
 TEST_SCENES   := tests/image/picture.c tests/image/scenes.c $(BENCH_SCENES)
 TEST_JUDGE    := $(filter-out %/picture.c,$(JUDGE_SOURCES)) tests/image/judge.c
-TEST_CONTRACT := tests/stability/contract.c tests/stability/weights.c tests/image/picture.c $(TEST_JUDGE)
-PIXEL_SUMS    := tests/image/pixel_sums.c tests/image/surfaces.c tests/stability/random_scene.c tests/stability/weights.c \
+TEST_CONTRACT := tests/stability/contract.c tests/stability/level_set.c tests/stability/weights.c tests/image/picture.c $(TEST_JUDGE)
+RANDOM_SCENES := $(addprefix tests/stability/,random_scene.c random_texture.c random_layers.c grids.c weights.c)
+PIXEL_SUMS    := tests/image/pixel_sums.c tests/image/surfaces.c $(RANDOM_SCENES) \
     $(TEST_SCENES) $(EXAMPLE_SCENES)
 TEST_SHARED   := $(sort $(TEST_HARNESS) $(TEST_CONTRACT) $(PIXEL_SUMS) tests/image/rows.c tests/stability/large_scene.c)
-FUZZ_SCENES   := $(addprefix tests/fuzz/,any_scene.c usual_scene.c layouts.c drawing.c) $(CLUSTERS)
+FUZZ_SCENES   := $(addprefix tests/fuzz/,any_scene.c usual_scene.c layouts.c textures.c layers.c drawing.c) $(CLUSTERS)
 STABILITY_REGIONS := $(sort $(filter-out $(patsubst %,tests/stability/%.c,regions kept search table),$(wildcard tests/stability/*.c)) \
     $(TEST_CONTRACT))
 PANEL_MODEL   := $(wildcard tests/panel/*model*.c)
@@ -106,26 +109,30 @@ suite_sources = $(or $(SUITE_$1),$(if $(filter $(PANEL_SUITES),$1),$(1:panel_%=t
     $(wildcard tests/image/$1.c tests/reference/$1.c tests/api/$1.c) $(TEST_SHARED)))
 
 IMAGE_SUITES := accuracy models formats extremes coverage pixels layouts region callbacks pick kept arenas dark motion lines \
-    orthographic patches corners rooms checked workloads
+    orthographic patches corners rooms checked workloads textures blend samples smooth
 TEST_SUITES  := unit numbers camera identity $(IMAGE_SUITES)
 PANEL_SUITES := panel_pictures panel_complaints panel_faults panel_i2c
 
 SUITE_unit  := $(TEST_HARNESS) $(wildcard tests/unit/*.c)
 SUITE_stability_regions := $(TEST_HARNESS) tests/stability/regions.c $(STABILITY_REGIONS)
-SUITE_stability_kept    := $(TEST_HARNESS) tests/stability/kept.c tests/stability/random_scene.c $(TEST_CONTRACT)
-SUITE_stability_search  := tests/stability/search.c tests/stability/random_scene.c $(TEST_CONTRACT)
+SUITE_stability_kept    := $(TEST_HARNESS) tests/stability/kept.c $(sort $(RANDOM_SCENES) $(TEST_CONTRACT))
+SUITE_stability_search  := tests/stability/search.c $(sort $(RANDOM_SCENES) $(TEST_CONTRACT))
 SUITE_stability_table   := tests/harness.c tests/stability/table.c $(STABILITY_REGIONS)
-SUITE_fuzz_render       := tests/fuzz/fuzz_render.c $(FUZZ_SCENES)
+SUITE_fuzz_render       := tests/fuzz/fuzz_render.c tests/equivalence/ways.c tests/image/picture.c $(FUZZ_SCENES)
 SUITE_fuzz_differential := tests/fuzz/fuzz_differential.c $(FUZZ_SCENES) $(TEST_CONTRACT)
 SUITE_threads := $(TEST_HARNESS) tests/threads/threads.c $(TEST_SCENES)
 SUITE_planted := $(TEST_HARNESS) tests/threads/planted.c $(TEST_SCENES)
 SUITE_numbers := tests/unit/arithmetic/numbers.c $(TEST_HARNESS)
 SUITE_domains := tests/unit/arithmetic/domains.c tests/unit/domains.c tests/unit/fixture.c tests/harness.c
 SUITE_methods := tests/unit/methods/test.c tests/unit/methods/judge.c $(METHODS) $(TEST_HARNESS)
-SUITE_float   := $(TEST_HARNESS) tests/float/pictures.c tests/reference/reference.c tests/reference/lighting.c $(FLOAT_RENDERER)
+SUITE_float   := $(TEST_HARNESS) tests/float/pictures.c tests/float/snapped.c tests/reference/reference.c tests/reference/lighting.c \
+    tests/reference/sampling.c $(FLOAT_RENDERER)
+SUITE_blend     := tests/image/blend.c tests/equivalence/ways.c $(TEST_SHARED)
 SUITE_workloads := $(TEST_HARNESS) tests/image/workloads.c tools/bench/workloads.c tools/bench/boxes.c $(EXAMPLE_SCENES) $(TEST_CONTRACT)
 SUITE_frames  := tests/board/identity_host.c $(IDENTITY_FRAMES)
-SUITE_levels  := tests/levels/draw.c tests/image/picture.c $(addprefix tests/stability/,random_scene.c large_scene.c weights.c)
+VARIED_SCENES := tests/equivalence/varied_scene.c tests/stability/large_scene.c $(RANDOM_SCENES)
+SUITE_equivalences := $(sort $(wildcard tests/equivalence/*.c) $(VARIED_SCENES) $(JUDGE_SOURCES))
+SUITE_levels  := tests/levels/draw.c tests/image/picture.c $(VARIED_SCENES)
 SUITE_endurance     := tests/endurance/endurance_host.c tests/endurance/endurance.c $(EXAMPLE_SCENES)
 # These are other programs of this machine.
 SUITE_panel_stream     := tests/panel/panel_stream.c $(PANEL_MODEL)
@@ -143,7 +150,7 @@ $(BUILD)/tests/%: $$(call objects,$(BUILD)/$$(*D),$$(call suite_sources,$$(*F)))
 
 # The reference takes most of the time under sanitisers; test-image runs it as it is, `make sanitize` under them.
 SANITIZE_ALL ?=
-$(call objects,$(BUILD)/sanitize,$(TEST_JUDGE)): TEST_CFLAGS += $(if $(SANITIZE_ALL),,-O2 -fno-sanitize=all)
+$(foreach variant,sanitize sanitize-small,$(call objects,$(BUILD)/$(variant),$(TEST_JUDGE))): TEST_CFLAGS += $(if $(SANITIZE_ALL),,-O2 -fno-sanitize=all)
 # The judge's doubles are the same from every compiler; the float renderer is what a compiler may make of floats.
 $(BUILD)/host/tests/unit/methods/%.o: TEST_CFLAGS += -ffp-contract=off
 $(BUILD)/host/tools/bench/float/%.o: TEST_CFLAGS += -ffast-math -ffp-contract=fast
@@ -159,7 +166,7 @@ run_suites = @rm -f $(addsuffix .status,$1); \
 # $(call sample,what): prints what the seed picks from
 sample = @echo "$(if $(EVERY),every $1,TEST_SEED=$(TEST_SEED))"
 
-.PHONY: rooms sanitize variants unit-tables levels domains accuracy stability endurance panel-stream
+.PHONY: sanitize variants unit-tables levels equivalences domains accuracy stability endurance panel-stream
 
 test-unit-host: $(addprefix $(BUILD)/tests/host/,unit numbers camera) ## unit tests on the host, arithmetic against libm
 	$(call run_suites,$^)
@@ -170,18 +177,11 @@ test-image: $(IMAGE_SUITES:%=$(BUILD)/tests/host/%) ## images against the double
 test-identity: $(BUILD)/tests/host/identity ## the same image for every tile size, arena and order
 	$(call run_suites,$^)
 
-ROOMS      ?= 100000
-ROOMS_SEED ?= 1
-rooms: export GLINT_ROOMS := $(ROOMS)
-rooms: export GLINT_ROOMS_SEED := $(ROOMS_SEED)
-rooms: $(BUILD)/tests/host/rooms $(BUILD)/tests/sanitize/rooms ## large triangles with the eye inside: ROOMS random scenes from ROOMS_SEED, also under sanitisers
-	$(call run_suites,$^)
-
 # Of the suites that take long one of three or four, which the seed picks.
-SANITIZED_LONG   := accuracy models formats identity motion orthographic layouts pixels kept numbers callbacks
+SANITIZED_LONG   := accuracy models formats identity motion orthographic layouts pixels kept numbers callbacks textures blend
 SANITIZED_TESTED := $(if $(SANITIZE_ALL),$(TEST_SUITES),$(filter-out $(SANITIZED_LONG),$(TEST_SUITES)) \
     $(call pick,0,accuracy models) $(call pick,1,formats identity) $(call pick,2,motion orthographic) \
-    $(call pick,3,layouts pixels kept) $(call pick,4,numbers callbacks))
+    $(call pick,3,layouts pixels kept) $(call pick,4,numbers callbacks textures blend))
 test-sanitize: export GLINT_SAMPLE := $(if $(SANITIZE_ALL),1,8)
 test-sanitize: $(SANITIZED_TESTED:%=$(BUILD)/tests/sanitize/%) ## host suites that a seed picks under ASan and UBSan, but for their reference, with an eighth of random scenes and arenas; make sanitize is all
 	@echo "$(if $(SANITIZE_ALL),every suite,TEST_SEED=$(TEST_SEED))"
@@ -288,26 +288,39 @@ endurance: $(ENDURANCE) $(BUILD)/mps2-an385/O2/endurance.elf ## a million animat
 STABILITY_CLANG  := $(BUILD)/tests/$(firstword $(filter clang-%,$(MATRIX_TESTED)))/stability_kept
 STABILITY        := $(BUILD)/tests/host/stability
 STABILITY_SEARCH := python3 tests/stability/search.py
-STABILITY_PAGE   := python3 tests/stability/page.py docs/stability.md $(BUILD)/stability/regions.md docs/stability.csv
+STABILITY_PAGE   := python3 tests/stability/page.py docs/stability.md $(BUILD)/stability/regions.csv docs/stability.csv
 # Scenes and the first one's seed; those of the figures in docs/stability.md. The suite's own scenes are none of these.
 SCENES ?= 100000
 SEED   ?= 1
 STABILITY_TEST_SEED := 1000001
 
-$(BUILD)/stability/regions.md: $(STABILITY)_table
+$(BUILD)/stability/regions.csv: $(STABILITY)_table
 	@mkdir -p $(@D)
 	$(Q)$< > $@
 
-stability: $(BUILD)/stability/regions.md $(STABILITY)_search ## where methods fail, by table and by SCENES random scenes from SEED: docs/stability.md
-	@cat $<
+stability: $(BUILD)/stability/regions.csv $(STABILITY)_search ## where methods fail, by table and by SCENES random scenes from SEED: docs/stability.md
+	cp $< docs/charts/
 	@$(STABILITY_SEARCH) $(STABILITY)_search --scenes $(SCENES) --seed $(SEED) --csv docs/stability.csv --kept
 	@$(STABILITY_PAGE)
 
-test-stability: $(BUILD)/stability/regions.md $(addprefix $(STABILITY)_,regions kept search) $(STABILITY_CLANG) $(BUILD)/tests/sanitize/stability_search ## where methods fail: the library does not; 2,000 random scenes
+STABILITY_SANITIZED := $(patsubst %,$(BUILD)/tests/%/stability_search,sanitize sanitize-small)
+test-stability: $(BUILD)/stability/regions.csv $(addprefix $(STABILITY)_,regions kept search) $(STABILITY_CLANG) $(STABILITY_SANITIZED) ## where methods fail: the library does not; 2,000 random scenes
 	@status=0; for suite in $(STABILITY)_regions $(STABILITY)_kept $(STABILITY_CLANG); do $$suite || status=1; done; \
 	$(STABILITY_SEARCH) $(STABILITY)_search --scenes 2000 --seed $(STABILITY_TEST_SEED) --test || status=1; \
-	$(STABILITY_SEARCH) $(BUILD)/tests/sanitize/stability_search --scenes 500 --seed $(STABILITY_TEST_SEED) --test || status=1; \
+	for search in $(STABILITY_SANITIZED); do \
+	    $(STABILITY_SEARCH) $$search --scenes 250 --seed $(STABILITY_TEST_SEED) --test || status=1; \
+	done; \
+	cmp $< docs/charts/regions.csv || status=1; \
 	$(STABILITY_PAGE) --check --program $(STABILITY)_search || status=1; exit $$status
+
+# ---- Random scenes drawn in other ways and told otherwise: the pictures are held against each other
+
+EQUIVALENCES := $(patsubst %,$(BUILD)/tests/%/equivalences,host sanitize sanitize-small)
+test-equivalences: $(EQUIVALENCES) ## the same bits in any tiles, arena, region and order, of a mesh split in two, moved and turned; all but the same of a light split in two and mirrored: 8,000 random scenes
+	@status=0; $< 8000 1 || status=1; for program in $(filter-out $<,$^); do $$program 1000 10001 || status=1; done; exit $$status
+
+equivalences: $(BUILD)/tests/host/equivalences ## the same of SCENES random scenes from SEED, each core every so many
+	@cores=$$(nproc); seq 0 $$((cores - 1)) | xargs -P $$cores -I {} sh -c "nice $< $$(($(SCENES) / cores)) \$$(($(SEED) + {})) $$cores > $<-{}.log; status=\$$?; cat $<-{}.log; exit \$$status"
 
 # ---- One prepared frame drawn by two threads at once. The sanitiser must see it when they share what they must not.
 
@@ -385,10 +398,11 @@ test-dist: ## make dist in two clones of the last commit: the same bytes; what i
 	@python3 tests/dist/dist.py $(BUILD)/dist-test
 
 WEB_TEST := $(BUILD)/web/test
-$(WEB_TEST)/errors: $(call objects,$(BUILD)/host,tests/web/errors.c port/web/measure.c $(JUDGE_SOURCES)) $(HOST_PARTS)
+$(WEB_TEST)/errors: $(call objects,$(BUILD)/host,tests/web/errors.c port/web/measure.c tests/image/judge.c $(JUDGE_SOURCES)) $(HOST_PARTS)
 	@mkdir -p $(@D)
 	$(Q)$(CC) $(HOST_CFLAGS) $^ $(SIMPLIFIER) -lm -o $@
-test-web: $(WEB)/page/data.js $(BUILD)/npm/web/installed $(WEB_TEST)/errors $(HOST_PROGRAM) $(PANEL_STREAM) ## the web page in a browser
+test-web: $(WEB)/page/data.js $(BUILD)/npm/web/installed $(WEB_TEST)/errors $(HOST_PROGRAM) $(PANEL_STREAM) \
+    $(BUILD)/i686/libglint.a $(call objects,$(BUILD)/i686,$(EXAMPLE_SCENES)) ## the web page in a browser, and what it exports on boards
 	NODE_MODULES=$(abspath $(BUILD)/npm/web/node_modules) node tests/web/run.js $(WEB)/page docs/web $(WEB_TEST)
 
 # Frama-C proves that arithmetic of src/ cannot overflow within its documented ranges.

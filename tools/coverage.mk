@@ -7,7 +7,7 @@ COVERAGE := $(BUILD)/coverage
 # the others, those that go through most of it. `panel` is the drivers of panels.
 COVERAGE_BUILDS       := host small split divide zeros mixed
 COVERAGE_FLAGS_mixed  := $$(if $$(filter src/pixel/%,$$<),-Os)
-COVERAGE_SUITES_host  := $(TEST_SUITES) old limits stability_regions stability_kept threads
+COVERAGE_SUITES_host  := $(TEST_SUITES) equivalences old limits stability_regions stability_kept threads
 COVERAGE_SUITES_split := unit
 COVERAGE_SUITES_panel := $(PANEL_SUITES)
 COVERAGE_FUZZ_host    := fuzz_render fuzz_differential

@@ -47,7 +47,7 @@ tidy() {
         'port/virt/*.c' 'port/riscv/*.c' 'port/sifive_e/*.c' || status=1
     tidy_files "-Isrc -Iport/host -Iexamples -Itests/reference -Itests/image -Iport/web -Iport/web/libc -nostdlibinc -isystem port/web/libc --target=wasm32 -mbulk-memory" \
         'port/web/*.c' || status=1
-    tidy_files "-Isrc -Iport -Iport/libc -Itests -Itools -I$bench $(arm)" 'tools/boards/*.c' 'tools/scaling/*.c' 'tools/bench/*.c' ':!tools/bench/scenes.c' ':!tools/bench/float' 'tools/features/*.c' \
+    tidy_files "-Isrc -Iport -Iport/libc -Itests -Itools -I$bench $(arm)" 'tools/boards/*.c' 'tools/bench/*.c' ':!tools/bench/scenes.c' ':!tools/bench/float' 'tools/features/*.c' \
         'tools/chart/*_board.c' || status=1
     tidy_files "-Isrc -Iport/host -Iexamples -Iexamples/bench" 'tools/bench/scenes.c' || status=1
     tidy_files "" 'tools/cycles/*.c' || status=1
@@ -148,6 +148,7 @@ interface() {
 
 check format format
 check interface interface
+check bounds python3 tools/bounds/bounds.py
 check readme readme
 check licence licence
 check reuse reuse_all

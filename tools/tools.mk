@@ -6,9 +6,13 @@
 
 SUITE_scenes           := tools/bench/scenes.c $(BENCH_SCENES)
 SUITE_frame_accuracy   := tools/chart/frame_accuracy.c $(BENCH_SCENES) $(JUDGE_SOURCES)
+SUITE_ways_accuracy    := tools/chart/ways_accuracy.c tests/float/snapped.c $(FLOAT_RENDERER) $(JUDGE_SOURCES)
 SUITE_shading          := tools/chart/shading.c $(JUDGE_SOURCES)
+SUITE_depth            := tools/chart/depth.c $(sort $(RANDOM_SCENES) $(TEST_CONTRACT))
 SUITE_gallery_accuracy := tools/chart/gallery_accuracy.c $(TEST_CONTRACT) $(EXAMPLE_SCENES)
 SUITE_gallery_figures  := tools/gallery/figures.c tests/image/picture.c $(EXAMPLE_SCENES)
+SUITE_cost_means       := tools/cost/means.c $(WORKLOADS) $(JUDGE_SOURCES)
+SUITE_cost_edges       := tools/cost/edges.c $(WORKLOADS) $(JUDGE_SOURCES)
 SUITE_cost_pictures    := tools/cost/pictures.c $(WORKLOADS) $(PNG_SOURCES)
 SUITE_page_pictures    := tools/pages/pictures.c $(wildcard examples/compose/*.c examples/lines/*.c examples/moving/*.c) $(PNG_SOURCES)
 HOST_TOOLS             := $(BUILD)/tests/host
@@ -39,12 +43,22 @@ $(CYCLES_PLUGIN): $(wildcard tools/cycles/*.c tools/cycles/*.h)
 test-cycles: $(CYCLES_PLUGIN) $(call core_elfs,m0 m3 m4 m4f,loops) ## loops whose cycles are counted by hand, against the model of cores
 	@python3 tests/cycles/loops.py --qemu $(QEMU) --plugin $(CYCLES_PLUGIN) $(call machine_runs,m0 m3 m4 m4f,loops)
 
-.PHONY: bench bench-diff scaling
+# Loops over pixels in RAM, where flash makes the core wait: the table of docs/packages.md.
+HOT       := $(foreach program,frames workloads,$(call core_elfs,m0 hot,$(program)))
+HOT_TABLE := python3 tools/cycles/hot.py --qemu $(QEMU) --plugin $(CYCLES_PLUGIN) --page docs/packages.md \
+    $(foreach core,m0 hot,$(BUILD)/$(BOARD_$(core))/O2)
+.PHONY: hot-page
+hot-page: $(HOT) $(CYCLES_PLUGIN)
+	$(HOT_TABLE) --write
+test-hot-page: $(call core_elfs,m0 hot,frames) $(CYCLES_PLUGIN) ## what loops in RAM gain and take, against docs/packages.md
+	@$(HOT_TABLE)
+
+.PHONY: bench bench-diff
 BENCH_CORES := m3 m0 m4 rv32
 $(BUILD)/bench.csv: $(foreach program,frames workloads methods,$(call core_elfs,$(BENCH_CORES),$(program))) $(call core_elf,m4f,float) \
-        $(CYCLES_PLUGIN) $(wildcard tools/bench/*.py tools/cycles/*.py) tests/board/qemu.py
+        $(call core_elf,m3,default_frames) $(CYCLES_PLUGIN) $(wildcard tools/bench/*.py tools/cycles/*.py) tests/board/qemu.py
 	$(Q)python3 tools/bench/bench.py --qemu $(QEMU) --output $(BUILD) --plugin $(CYCLES_PLUGIN) \
-	    --frames $(call machine_runs,$(BENCH_CORES),frames) $(call machine_runs,$(BENCH_CORES),workloads) \
+	    --frames $(call machine_runs,$(BENCH_CORES),frames) $(call machine_runs,$(BENCH_CORES),workloads) $(call machine_runs,m3,default_frames) \
 	    --float $(call machine_runs,m4f,float) --methods $(call machine_runs,$(BENCH_CORES),methods)
 
 bench: $(BUILD)/bench.csv ## count the instructions of whole frames of every kind of scene, and of methods; writes build/bench.csv
@@ -52,11 +66,6 @@ bench: $(BUILD)/bench.csv ## count the instructions of whole frames of every kin
 
 bench-diff: $(BUILD)/bench.csv ## what changed against docs/bench.csv; fails when anything did
 	@git --no-pager diff --no-index --word-diff=plain --word-diff-regex='[^,]+' -U0 docs/bench.csv $<
-
-$(BUILD)/scaling.csv: $(call core_elfs,m3 m0,scaling) tools/scaling/scaling.py tools/bench/emulate.py
-	$(Q)python3 tools/scaling/scaling.py --qemu $(QEMU) --output $@ $(call core_runs,m3 m0,scaling)
-scaling: $(BUILD)/scaling.csv
-	cp $< docs/charts/scaling.csv
 
 # ---- What each feature costs, for a core and a level that the seed picks
 
@@ -83,12 +92,15 @@ test-features: $(call features_built,$(FEATURES_CORES),$(FEATURES_LEVELS)) ## do
 CHART_CORES := m0 m3 m4 rv32
 $(BUILD)/%-accuracy.csv: $(HOST_TOOLS)/%_accuracy
 	$< > $@
-$(BUILD)/frame-instructions.csv: $(call core_elfs,$(CHART_CORES),frame_board) tools/chart/count.py tools/bench/emulate.py
-	$(COUNT) --head scene,size,format,choice,cpu,instructions $(call machine_runs,$(CHART_CORES),frame_board) > $@
+$(BUILD)/frame-instructions.csv: $(call core_elfs,$(CHART_CORES),frame_board) $(call core_elf,m4f,frame_float_board) tools/chart/count.py tools/bench/emulate.py
+	$(COUNT) --head scene,size,format,lights,choice,cpu,instructions $(call machine_runs,$(CHART_CORES),frame_board) \
+	    $(call machine_runs,m4f,frame_float_board) > $@
 $(BUILD)/arena.csv: $(call core_elf,m3,arena_board) tools/chart/count.py tools/bench/emulate.py
 	$(COUNT) --head scene,size,arena,passes,cpu,instructions $(call machine_runs,m3,arena_board) > $@
 $(BUILD)/gallery-instructions.csv: $(call core_elfs,m0 m3,gallery_costs) tools/chart/count.py tools/bench/emulate.py
 	$(Q)$(COUNT) --head scene,variant,size,cpu,instructions $(call machine_runs,m0 m3,gallery_costs) > $@
+$(BUILD)/means.csv $(BUILD)/edges.csv: $(BUILD)/%.csv: $(HOST_TOOLS)/cost_%
+	$< > $@
 # Errors and instructions in one table.
 $(BUILD)/shading.csv: $(HOST_TOOLS)/shading $(call core_elf,m3,shading_board) tools/chart/count.py
 	@mkdir -p $(BUILD)/chart
@@ -96,11 +108,17 @@ $(BUILD)/shading.csv: $(HOST_TOOLS)/shading $(call core_elf,m3,shading_board) to
 	$(COUNT) --head format,evaluation,triangles,cpu,instructions $(call machine_runs,m3,shading_board) > $(BUILD)/chart/instructions.csv
 	paste -d, $(BUILD)/chart/errors.csv $(BUILD)/chart/instructions.csv | cut -d, -f1-5,9-10 > $@
 
-.PHONY: chart-figures chart gallery
-CHART_TABLES := $(addprefix $(BUILD)/,bench.csv frame-accuracy.csv gallery-accuracy.csv frame-instructions.csv)
-chart-figures: $(CHART_TABLES) $(BUILD)/shading.csv $(BUILD)/arena.csv
+.PHONY: chart-figures depth chart gallery
+# How exact colours and depths are over the depth ratio: minutes.
+$(BUILD)/depth.csv: $(HOST_TOOLS)/depth
+	$(Q)$< > $@
+depth: $(BUILD)/depth.csv
+	cp $< docs/charts/
+
+CHART_TABLES := $(addprefix $(BUILD)/,bench.csv frame-accuracy.csv gallery-accuracy.csv frame-instructions.csv ways-accuracy.csv)
+chart-figures: $(CHART_TABLES) $(BUILD)/shading.csv $(BUILD)/arena.csv $(BUILD)/means.csv $(BUILD)/edges.csv
 	cp $(CHART_TABLES) $(BUILD)/bench-arena.csv docs/
-	cp $(BUILD)/shading.csv $(BUILD)/arena.csv docs/charts/
+	cp $(BUILD)/shading.csv $(BUILD)/arena.csv $(BUILD)/means.csv $(BUILD)/edges.csv docs/charts/
 
 chart:
 	@tools/setup.sh
@@ -117,13 +135,19 @@ gallery: $(HOST_PROGRAM) $(HOST_TOOLS)/gallery_figures $(BUILD)/gallery-instruct
 # ---- docs/boards.md: a row for each board, and what its panel shows. The README has a table of one board.
 
 BOARDS_STREAM := $(BUILD)/pico/release/show.stream
-BOARDS_PAGE   := python3 tools/boards/boards.py --build $(BUILD) --host $(SHOW_HOST) --stream $(BOARDS_STREAM)
+# The README's moving picture: a first frame, which includes the start, and three whose time is told.
+NIGHT_STREAM  := $(BUILD)/pico/O2/night.stream
+BOARDS_PAGE   := python3 tools/boards/boards.py --build $(BUILD) --host $(SHOW_HOST) --stream $(BOARDS_STREAM) --night $(NIGHT_STREAM) \
+    --panel $(PANEL_STREAM)
 BOARDS_BUILT  := $(SHOW_HOST) $(foreach board,$(filter-out template mps2-an385-m0,$(BOARDS)),$(BUILD)/$(board)/release/show.elf) \
-    $(call core_elfs,m0 m3 rv32,frames) $(ANIMATE_RUN:%=$(BUILD)/%/O2/animate.elf) $(BOARDS_STREAM)
+    $(PAINTED_CSV) $(ANIMATE_RUN:%=$(BUILD)/%/O2/animate.elf) $(BOARDS_STREAM) \
+    $(NIGHT_STREAM) $(PANEL_STREAM)
 
 # On a bus that takes no time: instructions that wait for it are not counted.
 $(BOARDS_STREAM): $(BUILD)/pico/release/show.bin $(PICO_EMULATOR) tests/pico/run.js
 	$(Q)node tests/pico/run.js $< $@ free > /dev/null
+$(NIGHT_STREAM): $(BUILD)/pico/O2/night.bin $(PICO_EMULATOR) tests/pico/run.js
+	$(Q)node tests/pico/run.js $< $@ real 4 > /dev/null
 
 # The example scenes in motion: what each frame takes of the core by the model of cycles, and of the bus.
 ANIMATE_MARKED := mps2-an385=$(BUILD)/mps2-an385/O2/animate-marked.elf \
@@ -135,10 +159,10 @@ $(BUILD)/animate-times.csv $(BUILD)/animate-times-part.csv: $(call files,$(ANIMA
 .PHONY: boards-page
 boards-page: $(BOARDS_BUILT) $(BUILD)/animate-times.csv
 	@mkdir -p docs/boards
-	$(Q)$(BOARDS_PAGE) --times $(BUILD)/animate-times.csv --write docs/boards.md docs/boards README.md
+	$(Q)$(BOARDS_PAGE) --times $(BUILD)/animate-times.csv --write docs/boards.md docs/boards README.md docs/night.png
 
 test-boards-page: $(BOARDS_BUILT) $(BUILD)/animate-times-part.csv ## the figures and pictures of docs/boards.md and the README are true
-	@$(BOARDS_PAGE) --times $(BUILD)/animate-times-part.csv docs/boards.md docs/boards README.md
+	@$(BOARDS_PAGE) --times $(BUILD)/animate-times-part.csv docs/boards.md docs/boards README.md docs/night.png
 
 # ---- Pictures of pages
 
@@ -172,7 +196,7 @@ test-pages: $(HOST_TOOLS)/page_pictures $(WINDOW_PICTURE) ## the pictures of doc
 # ---- After a changed pixel, or a changed instruction: everything that a test or lint compares, and all that pages show. In
 # ---- this order: what is measured, what is written from that, and the page, which holds both.
 
-FIGURES := unit-tables chart-figures scaling gallery features options-page stability boards-page cost-pictures page-pictures \
+FIGURES := unit-tables chart-figures depth gallery features options-page hot-page stability boards-page cost-pictures page-pictures \
     demo-picture chart web web-picture
 .PHONY: figures options-page
 figures: ## after a changed pixel: measure, draw and write anew all that pages show and that tests compare
@@ -194,8 +218,8 @@ single: $(SINGLE)/glint.c ## the library as one source and two headers, in build
 $(SINGLE)/glint.c $(SINGLE)/glint.h $(SINGLE)/glint_extras.h &: tools/packages/single.py $(LIBRARY) $(wildcard src/*.h src/*/*.h)
 	$(Q)python3 $< $(SINGLE)
 
-pack: ## the library as a CMSIS-Pack, in build/pack
-	@python3 tools/packages/pack.py $(BUILD)/pack `tools/version.sh print`
+pack: ## the library as a CMSIS-Pack, and as a ZIP file for Arduino and PlatformIO, in build/pack
+	@for made in pack arduino; do python3 tools/packages/$$made.py $(BUILD)/pack `tools/version.sh print` || exit 1; done
 
 dist: ## the sources of the last commit as an archive, the same bytes anywhere, with its SHA256SUMS in build/dist
 	@tools/packages/dist.sh $(BUILD)/dist
@@ -204,17 +228,22 @@ doxygen: ## the public headers as pages, in build/doxygen/html; what is not docu
 	@mkdir -p $(BUILD)/doxygen
 	@doxygen tools/doxygen/Doxyfile
 
-# ---- Single changes to src/ and port/panel/ that some suite should notice. Not part of `make test`: to build and time all
-# ---- suites takes minutes, a mutant seconds, a survivor minutes.
+# ---- Single changes to src/ and port/panel/ that some suite should notice, under sanitizers. A mutant takes seconds, a
+# ---- survivor minutes.
 
 # How many are judged, in the order of a seed; files of src/ and port/panel/ that they are in, all unless some are named.
 MUTANTS       ?= 20
-MUTANTS_SEED  ?= 1
+MUTANTS_SEED  ?= $(TEST_SEED)
 MUTANTS_FILES ?=
 MUTANTS_JOBS  ?= $(shell nproc)
-# What judges the library; quick suites come first. Drivers of panels are judged by the suites of panels.
-MUTANTS_SUITES := $(filter-out motion corners rooms,$(TEST_SUITES)) stability_kept stability_regions
-mutants: ## change MUTANTS places of src/ and port/panel/, one at a time, from MUTANTS_SEED (MUTANTS_FILES: only there): does a suite notice?
-	@python3 tools/mutants/mutants.py --build $(BUILD)/mutants --known tools/mutants/known.csv --count $(MUTANTS) \
-	    --seed $(MUTANTS_SEED) --jobs $(MUTANTS_JOBS) --library $(MUTANTS_SUITES:%=build/tests/host/%) \
-	    --panels $(PANEL_SUITES:%=build/tests/host/%) --files $(MUTANTS_FILES)
+# How many may survive without a reason.
+MUTANTS_LEFT  ?= 0
+# What judges the library, quick suites first; workloads would build the host's program with each mutant. Drivers of panels
+# are judged by the suites of panels.
+MUTANTS_QUICK  := unit extremes camera region pick numbers checked
+MUTANTS_SLOW   := stability_kept stability_regions callbacks identity accuracy
+MUTANTS_SUITES := $(MUTANTS_QUICK) $(filter-out $(MUTANTS_QUICK) $(MUTANTS_SLOW) motion corners rooms workloads,$(TEST_SUITES)) $(MUTANTS_SLOW)
+mutants: $(patsubst %,$(BUILD)/tests/sanitize/%,$(MUTANTS_SUITES) $(PANEL_SUITES)) ## change MUTANTS places of src/ and port/panel/, one at a time, from MUTANTS_SEED (MUTANTS_FILES: only there): does a suite notice?
+	@python3 tools/mutants/mutants.py --build $(BUILD) --known tools/mutants/known.csv --count $(MUTANTS) \
+	    --seed $(MUTANTS_SEED) --jobs $(MUTANTS_JOBS) --variant sanitize --library $(MUTANTS_SUITES) --panels $(PANEL_SUITES) \
+	    --left $(MUTANTS_LEFT) --files $(MUTANTS_FILES)

@@ -44,19 +44,23 @@ int main(void) {
         board_write("the display does not answer\n");
         return 1;
     }
-    const glint_config config = {.width = display.width,
-                                 .height = display.height,
-                                 .tile_width = BOARD_TILE_WIDTH,
-                                 .tile_height = BOARD_TILE_HEIGHT,
-                                 .format = display.format,
-                                 .flush = display.flush,
-                                 .arena = arena,
-                                 .arena_size = sizeof arena,
-                                 .keeps_arena = 1};
-    glint_status status = glint_init(&renderer, &config);
+    glint_config config = {.width = display.width,
+                           .height = display.height,
+                           .tile_width = BOARD_TILE_WIDTH,
+                           .tile_height = BOARD_TILE_HEIGHT,
+                           .format = animation_format(display.format),
+                           .flush = display.flush,
+                           .arena = arena,
+                           .arena_size = sizeof arena,
+                           .keeps_arena = 1};
+    glint_status status = GLINT_OK;
     for (uint32_t i = 0; status == GLINT_OK && (scene = animation_build(&stage, i, display.width, display.height)) != 0;
          i++) {
-        status = draw(&renderer, scene->name, i % ANIMATION_FRAMES);
+        if (i % ANIMATION_FRAMES == 0) {
+            config.layers = stage.layers;
+            status = glint_init(&renderer, &config);
+        }
+        status = status == GLINT_OK ? draw(&renderer, scene->name, i % ANIMATION_FRAMES) : status;
     }
     report("stack used ", board_stack_used());
     return status != GLINT_OK;

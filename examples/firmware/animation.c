@@ -10,6 +10,7 @@ static const struct {
 } shown[] = {
     {&example_teapot, "fragment"},      {&example_three_spheres, "phong"}, {&example_surfaces, "metal"},
     {&example_phong_lighting, "orbit"}, {&example_shaders, "torus-50"},    {&example_halloween, "night"},
+    {&example_still_life, "dusk"},
 };
 
 static int is_equal(const char *a, const char *b) {
@@ -40,6 +41,12 @@ static void turn_lights(example_stage *stage, glint_q16 degrees) {
         turned->x = stage_multiply(from.x, cosine) + stage_multiply(from.z, sine);
         turned->z = stage_multiply(from.z, cosine) - stage_multiply(from.x, sine);
     }
+}
+
+const glint_format *animation_format(const glint_format *format) {
+    return format == &glint_format_rgb565_be ? &glint_format_rgb565_be_dithered
+           : format == &glint_format_rgb565  ? &glint_format_rgb565_dithered
+                                             : format;
 }
 
 const example_scene *animation_build(example_stage *stage, uint32_t index, uint16_t width, uint16_t height) {

@@ -16,4 +16,8 @@
  */
 const example_scene *animation_build(example_stage *stage, uint32_t index, uint16_t width, uint16_t height);
 
+/** @return the dithered twin of a display's format of 16 bits, or the format: with 32 levels a channel, bands are seen
+ */
+const glint_format *animation_format(const glint_format *format);
+
 #endif

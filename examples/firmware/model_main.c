@@ -4,6 +4,7 @@
  * MODEL=my.obj` makes a header of it (glint convert --name model --centre --scale fit), and builds this.
  */
 #include "board.h"
+#include "glint_extras.h"
 
 #ifdef MODEL_HEADER
 /* cppcheck-suppress preprocessorErrorDirective; the makefile says which */
@@ -13,7 +14,8 @@
 #define model_mesh torus576_mesh
 #endif
 
-/** Degrees from one frame to the next. */
+/** Degrees of the first frame, which shows a box from three sides, and from one frame to the next. */
+#define FIRST 330
 #define STEP 10
 
 #define GREY(level) GLINT_COLOUR(level, level, level)
@@ -22,6 +24,11 @@
 static const glint_material clay = {&glint_model_blinn_phong, GREY(0.1), GREY(0.6), GREY(0.4), GLINT_Q16(32)};
 static const glint_object model_objects[] = {
     {&model_mesh, &clay, {{{GLINT_ONE, 0, 0, 0}, {0, GLINT_ONE, 0, 0}, {0, 0, GLINT_ONE, 0}}}, &glint_per_fragment}};
+#endif
+#ifdef MODEL_BLENDS
+static const glint_layer_stage *const layers = &glint_layers;
+#else
+static const glint_layer_stage *const layers = 0;
 #endif
 enum { OBJECTS = sizeof model_objects / sizeof *model_objects };
 
@@ -56,12 +63,15 @@ static glint_q16 find_distance(const board_display *display) {
 
 int main(void) {
     const glint_vector up = GLINT_VECTOR(0, 1, 0), origin = GLINT_VECTOR(0, 0, 0);
-    const glint_light sun = {&glint_light_directional, {0}, GLINT_VECTOR(1, -1, -1), GREY(1), GREY(1)};
+    /* from the upper left, and weaker from the right, so that no side that is seen is black */
+    const glint_light lights[] = {
+        {&glint_light_directional, {0}, GLINT_VECTOR(0.5, -0.7, -0.7), GREY(1), GREY(1)},
+        {&glint_light_directional, {0}, GLINT_VECTOR(-0.8, -0.1, -0.6), GREY(0.25), GREY(0.25)}};
     glint_object objects[OBJECTS];
     glint_scene scene = {.camera = glint_camera_default(),
                          .ambient = GREY(1),
-                         .lights = &sun,
-                         .light_count = 1,
+                         .lights = lights,
+                         .light_count = 2,
                          .objects = objects,
                          .object_count = OBJECTS};
     glint_renderer renderer;
@@ -79,11 +89,12 @@ int main(void) {
                                  .flush = display.flush,
                                  .arena = arena,
                                  .arena_size = sizeof arena,
-                                 .keeps_arena = 1};
+                                 .keeps_arena = 1,
+                                 .layers = layers};
     const glint_q16 distance = find_distance(&display);
     glint_status status = glint_init(&renderer, &config);
     glint_camera_look_at(&scene.camera, (glint_vector){0, distance / 4, distance}, origin, up);
-    for (glint_q16 degrees = 0; status == GLINT_OK; degrees = (degrees + STEP) % 360) {
+    for (glint_q16 degrees = FIRST; status == GLINT_OK; degrees = (degrees + STEP) % 360) {
         for (int i = 0; i < OBJECTS; i++) {
             objects[i] = model_objects[i];
             objects[i].pose = glint_pose_rotate_y(degrees * GLINT_ONE);

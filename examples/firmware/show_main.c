@@ -22,11 +22,13 @@ static void report(const char *what, uint32_t number) {
     board_write("\n");
 }
 
-static glint_status draw(glint_renderer *renderer, turntable_model model, uint32_t frame) {
+static glint_status draw(glint_renderer *renderer, const board_display *display, turntable_model model,
+                         uint32_t frame) {
     char name[TEXT_NUMBER_SIZE + 16];
     turntable table;
 
     turntable_frame(&table, model, frame);
+    turntable_fit(&table, display->width, display->height);
     const glint_status status = glint_render(renderer, &table.scene);
     if (status != GLINT_OK) {
         report("glint_status -", (uint32_t)-status);
@@ -56,7 +58,7 @@ int main(void) {
                                  .keeps_arena = 1};
     glint_status status = glint_init(&renderer, &config);
     for (uint32_t i = 0; i < TURNTABLE_SHOWN * FRAMES && status == GLINT_OK; i++) {
-        status = draw(&renderer, (turntable_model)(i / FRAMES), i % FRAMES);
+        status = draw(&renderer, &display, (turntable_model)(i / FRAMES), i % FRAMES);
     }
     report("stack used ", board_stack_used());
     return status != GLINT_OK;

@@ -79,6 +79,9 @@ static const glint_mesh cylinder10x2_mesh = {
     0, /* no colours */
     &cylinder10x2_clusters,
     0, /* no layout */
+    0,
+    {0, 0},
+    {0, 0}, /* no texture */
 };
 
 #endif

@@ -101,6 +101,9 @@ static const glint_mesh cylinder24x1_mesh = {
     0, /* no colours */
     &cylinder24x1_clusters,
     0, /* no layout */
+    0,
+    {0, 0},
+    {0, 0}, /* no texture */
 };
 
 #endif

@@ -119,6 +119,9 @@ static const glint_mesh cylinder30x2_mesh = {
     0, /* no colours */
     0, /* no clusters */
     0, /* no layout */
+    0,
+    {0, 0},
+    {0, 0}, /* no texture */
 };
 
 #endif

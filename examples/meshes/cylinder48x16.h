@@ -641,6 +641,9 @@ static const glint_mesh cylinder48x16_mesh = {
     0, /* no colours */
     &cylinder48x16_clusters,
     0, /* no layout */
+    0,
+    {0, 0},
+    {0, 0}, /* no texture */
 };
 
 #endif

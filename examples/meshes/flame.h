@@ -102,6 +102,9 @@ static const glint_mesh flame_mesh = {
     0, /* no colours */
     &flame_clusters,
     0, /* no layout */
+    0,
+    {0, 0},
+    {0, 0}, /* no texture */
 };
 
 #endif

@@ -163,6 +163,9 @@ static const glint_mesh glow_mesh = {
     0, /* no colours */
     0, /* no clusters */
     0, /* no layout */
+    0,
+    {0, 0},
+    {0, 0}, /* no texture */
 };
 
 #endif

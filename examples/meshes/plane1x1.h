@@ -40,6 +40,9 @@ static const glint_mesh plane1x1_mesh = {
     0, /* no colours */
     0, /* no clusters */
     0, /* no layout */
+    0,
+    {0, 0},
+    {0, 0}, /* no texture */
 };
 
 #endif

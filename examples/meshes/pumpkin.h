@@ -576,6 +576,9 @@ static const glint_mesh pumpkin_mesh = {
     0, /* no colours */
     &pumpkin_clusters,
     0, /* no layout */
+    0,
+    {0, 0},
+    {0, 0}, /* no texture */
 };
 
 #endif

@@ -1140,6 +1140,9 @@ static const glint_mesh pumpkin_grim_mesh = {
     0, /* no colours */
     &pumpkin_grim_clusters,
     0, /* no layout */
+    0,
+    {0, 0},
+    {0, 0}, /* no texture */
 };
 
 #endif

@@ -956,6 +956,9 @@ static const glint_mesh pumpkin_grim_lining_mesh = {
     0, /* no colours */
     0, /* no clusters */
     0, /* no layout */
+    0,
+    {0, 0},
+    {0, 0}, /* no texture */
 };
 
 #endif

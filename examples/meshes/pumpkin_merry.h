@@ -1146,6 +1146,9 @@ static const glint_mesh pumpkin_merry_mesh = {
     0, /* no colours */
     &pumpkin_merry_clusters,
     0, /* no layout */
+    0,
+    {0, 0},
+    {0, 0}, /* no texture */
 };
 
 #endif

@@ -964,6 +964,9 @@ static const glint_mesh pumpkin_merry_lining_mesh = {
     0, /* no colours */
     0, /* no clusters */
     0, /* no layout */
+    0,
+    {0, 0},
+    {0, 0}, /* no texture */
 };
 
 #endif

@@ -90,6 +90,9 @@ static const glint_mesh sphere10x6_mesh = {
     0, /* no colours */
     &sphere10x6_clusters,
     0, /* no layout */
+    0,
+    {0, 0},
+    {0, 0}, /* no texture */
 };
 
 #endif

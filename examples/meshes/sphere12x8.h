@@ -116,6 +116,9 @@ static const glint_mesh sphere12x8_mesh = {
     0, /* no colours */
     &sphere12x8_clusters,
     0, /* no layout */
+    0,
+    {0, 0},
+    {0, 0}, /* no texture */
 };
 
 #endif

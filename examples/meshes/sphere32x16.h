@@ -407,6 +407,9 @@ static const glint_mesh sphere32x16_mesh = {
     0, /* no colours */
     &sphere32x16_clusters,
     0, /* no layout */
+    0,
+    {0, 0},
+    {0, 0}, /* no texture */
 };
 
 #endif

@@ -1131,6 +1131,9 @@ static const glint_mesh sphere48x32_mesh = {
     0, /* no colours */
     &sphere48x32_clusters,
     0, /* no layout */
+    0,
+    {0, 0},
+    {0, 0}, /* no texture */
 };
 
 #endif

@@ -98,6 +98,9 @@ static const glint_mesh stem_mesh = {
     0, /* no colours */
     &stem_clusters,
     0, /* no layout */
+    0,
+    {0, 0},
+    {0, 0}, /* no texture */
 };
 
 #endif

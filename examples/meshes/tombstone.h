@@ -77,6 +77,9 @@ static const glint_mesh tombstone_mesh = {
     0, /* no colours */
     0, /* no clusters */
     0, /* no layout */
+    0,
+    {0, 0},
+    {0, 0}, /* no texture */
 };
 
 #endif

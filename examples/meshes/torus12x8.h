@@ -131,6 +131,9 @@ static const glint_mesh torus12x8_mesh = {
     0, /* no colours */
     &torus12x8_clusters,
     0, /* no layout */
+    0,
+    {0, 0},
+    {0, 0}, /* no texture */
 };
 
 #endif

@@ -897,6 +897,9 @@ static const glint_mesh torus48x24_mesh = {
     0, /* no colours */
     &torus48x24_clusters,
     0, /* no layout */
+    0,
+    {0, 0},
+    {0, 0}, /* no texture */
 };
 
 #endif

@@ -504,6 +504,9 @@ static const glint_mesh tree_mesh = {
     0, /* no colours */
     &tree_clusters,
     0, /* no layout */
+    0,
+    {0, 0},
+    {0, 0}, /* no texture */
 };
 
 #endif

@@ -7,9 +7,9 @@
 #include "meshes/cone24x1.h"
 #include "meshes/cylinder24x1.h"
 #include "meshes/flame.h"
-#include "meshes/glow.h"
 #include "meshes/picket.h"
 #include "meshes/plane1x1.h"
+#include "meshes/plane24x16.h"
 #include "meshes/pumpkin.h"
 #include "meshes/pumpkin_grim.h"
 #include "meshes/pumpkin_grim_lining.h"
@@ -23,7 +23,7 @@
 
 #define FRAMES 48
 
-enum { NIGHT, VERTEX, FLOODLIT };
+enum { NIGHT, VERTEX, FLOODLIT, MISTY };
 
 static const example_variant variants[] = {
     {"night",
@@ -31,8 +31,13 @@ static const example_variant variants[] = {
      "casts a "
      "shadow: lamps are placed so that no wall would have to stop their light.",
      0, 0},
-    {"vertex", "The same lit per vertex: the ground, of two triangles, gets no light of the candles.", 0, 0},
+    {"vertex",
+     "The same lit per vertex, its ground of 768 triangles in place of two: vertices that lie in the candles' light "
+     "smear "
+     "it.",
+     0, 0},
     {"floodlit", "The same under white light: what the dark hides, and how thick the pumpkins' walls are.", 0, 0},
+    {"misty", "The same in mist: it hides what is far away, and the candles make it glow.", 0, 0},
 };
 
 /* The sky, from the moon outwards: its middle, and rings of 24 vertices. Formatted by hand, a ring a line. */
@@ -41,7 +46,7 @@ static const example_variant variants[] = {
 #define TWELVE(r, g, b) FOUR(r, g, b) FOUR(r, g, b) FOUR(r, g, b)
 #define RING(r, g, b) TWELVE(r, g, b) TWELVE(r, g, b)
 
-static const uint8_t glow_colours[COUNT_OF(glow_positions)][3] = {
+static const uint8_t glow_colours[STAGE_DISC_VERTICES][3] = {
     {150, 160, 220},
     RING(150, 160, 220)
     RING(104, 114, 178)
@@ -53,23 +58,6 @@ static const uint8_t glow_colours[COUNT_OF(glow_positions)][3] = {
     RING(4, 5, 20)
 };
 /* clang-format on */
-
-static const glint_mesh coloured_glow = {
-    .positions = glow_positions,
-    .normals = glow_normals,
-    .triangles = glow_triangles,
-    .vertex_count = COUNT_OF(glow_positions),
-    .triangle_count = COUNT_OF(glow_triangles),
-    .extent = {1310761, 1310761, 0}, /* as in glow.h: C takes no constant from a constant structure */
-    .colours = glow_colours,
-};
-
-static glint_colour times(glint_colour colour, glint_q16 factor) {
-    const glint_colour product = {stage_multiply(colour.r, factor), stage_multiply(colour.g, factor),
-                                  stage_multiply(colour.b, factor)};
-
-    return product;
-}
 
 /* A matt surface, which night makes a little blue. */
 static glint_material matt(glint_colour paint) {
@@ -114,19 +102,24 @@ static glint_q16 flicker(uint32_t frame, int start) {
            stage_multiply(GLINT_Q16(0.09), wave(frame, 13, 3 * start));
 }
 
-static void add_sky(example_stage *stage) {
+/* In mist the moon alone. */
+static void add_sky(example_stage *stage, uint32_t variant) {
     const glint_material air = unlit((glint_colour)GREY(1)), star = unlit((glint_colour)RGB(0.6, 0.62, 0.75));
     const glint_material moon = unlit((glint_colour)RGB(0.95, 0.95, 0.85));
     const glint_pose far = stage_place((glint_vector)XYZ(1.35, 1.35, 1.35), 0, (glint_vector)XYZ(2.6, 5.0, -16));
     const glint_pose stars = stage_place((glint_vector)XYZ(10, 5, 1), 0, (glint_vector)XYZ(0, 5, -15.5));
     const glint_pose disc = stage_place((glint_vector)XYZ(1.3, 1.3, 1.3), 0, (glint_vector)XYZ(2.6, 5.0, -15));
 
-    stage_add(stage, &coloured_glow, &air, &far);
-    stage_add(stage, &stars_mesh, &star, &stars);
+    if (variant != MISTY) {
+        stage->mesh = stage_disc;
+        stage->mesh.colours = glow_colours;
+        stage_add(stage, &stage->mesh, &air, &far);
+        stage_add(stage, &stars_mesh, &star, &stars);
+    }
     stage_add(stage, &sphere32x16_mesh, &moon, &disc);
 }
 
-static void add_land(example_stage *stage) {
+static void add_land(example_stage *stage, uint32_t variant) {
     const glint_material wet = shiny((glint_colour)RGB(0.3, 0.27, 0.2), GLINT_Q16(0.25), GLINT_Q16(10));
     const glint_material grass = matt((glint_colour)RGB(0.3, 0.27, 0.2));
     const glint_material bark = matt((glint_colour)RGB(0.16, 0.13, 0.12));
@@ -138,7 +131,7 @@ static void add_land(example_stage *stage) {
     const glint_pose root =
         stage_place((glint_vector)XYZ(1.25, 1.25, 1.25), GLINT_Q16(20), (glint_vector)XYZ(3, 0, -3.2));
 
-    stage_add(stage, &plane1x1_mesh, &wet, &ground);
+    stage_add(stage, variant == VERTEX ? &plane24x16_mesh : &plane1x1_mesh, &wet, &ground);
     stage_add(stage, &sphere32x16_mesh, &grass, &left);
     stage_again(stage, &sphere32x16_mesh, &right);
     stage_add(stage, &tree_mesh, &bark, &root);
@@ -146,7 +139,7 @@ static void add_land(example_stage *stage) {
 
 /* Rails right through the pickets, and pickets into the ground. */
 static void add_fence(example_stage *stage) {
-    const glint_material wood = matt((glint_colour)RGB(0.45, 0.4, 0.36));
+    const glint_material wood = matt((glint_colour)RGB(1, 0.9, 0.8));
 
     for (int i = 0; i < 6; i++) {
         const glint_vector at = {GLINT_Q16(0.25) + i * GLINT_Q16(0.52), (i * 5 % 3 - 1) * GLINT_Q16(0.05),
@@ -191,8 +184,8 @@ typedef struct lantern {
 } lantern;
 
 static const lantern lanterns[] = {
-    {&pumpkin_merry_mesh, &pumpkin_merry_lining_mesh, XYZ(-0.85, 0.74, 0.6), GLINT_Q16(1), GLINT_Q16(10), 0},
-    {&pumpkin_grim_mesh, &pumpkin_grim_lining_mesh, XYZ(1.0, 0.47, 1.7), GLINT_Q16(0.65), GLINT_Q16(-16), 140},
+    {&pumpkin_merry_mesh, &pumpkin_merry_lining_mesh, XYZ(-0.85, 0.62, 0.6), GLINT_Q16(1), GLINT_Q16(10), 0},
+    {&pumpkin_grim_mesh, &pumpkin_grim_lining_mesh, XYZ(1.0, 0.39, 1.7), GLINT_Q16(0.65), GLINT_Q16(-16), 140},
 };
 
 /*
@@ -200,8 +193,8 @@ static const lantern lanterns[] = {
  * inside of its back, upwards, and falls off fast; the other looks out of its face, and leaves the neighbours alone.
  */
 static void add_candle_light(example_stage *stage, const lantern *jack, glint_q16 bright) {
-    const glint_colour warm = times((glint_colour)RGB(5.5, 3, 0.9), stage_multiply(bright, jack->size));
-    const glint_colour beam = times((glint_colour)RGB(1.7, 0.85, 0.22), stage_multiply(bright, jack->size));
+    const glint_colour warm = stage_times((glint_colour)RGB(5.5, 3, 0.9), stage_multiply(bright, jack->size));
+    const glint_colour beam = stage_times((glint_colour)RGB(1.7, 0.85, 0.22), stage_multiply(bright, jack->size));
     glint_light *inside = stage_lamp(stage, &glint_light_spot, jack->middle, warm);
     glint_light *out = stage_lamp(stage, &glint_light_spot, jack->middle, beam);
 
@@ -236,8 +229,8 @@ static void add_lantern(example_stage *stage, const lantern *jack, uint32_t fram
     const glint_material fire = unlit((glint_colour)RGB(1, 0.92, 0.55));
 
     /* A lit pumpkin's skin glows through. */
-    skin.ambient = times((glint_colour)RGB(0.3, 0.1, 0.016), bright);
-    flesh.ambient = times((glint_colour)RGB(0.95, 0.52, 0.1), bright);
+    skin.ambient = stage_times((glint_colour)RGB(0.3, 0.1, 0.016), bright);
+    flesh.ambient = stage_times((glint_colour)RGB(0.95, 0.52, 0.1), bright);
     flame = glint_pose_then(&flame, &pose);
     stage_add(stage, jack->skin, &skin, &pose);
     stage_add(stage, jack->lining, &flesh, &pose);
@@ -246,18 +239,28 @@ static void add_lantern(example_stage *stage, const lantern *jack, uint32_t fram
     add_candle_light(stage, jack, bright);
 }
 
+/* Air that a candle lights, half way to the eye, where the ground does not cut it. */
+static void add_glow(example_stage *stage, const lantern *jack, uint32_t frame) {
+    const glint_colour warm = stage_times((glint_colour)RGB(0.55, 0.28, 0.07), flicker(frame, jack->start));
+    const glint_pose *eye = &stage->scene.camera.pose;
+    const glint_vector between = {(eye->m[0][3] + jack->middle.x) / 2, (eye->m[1][3] + jack->middle.y) / 2,
+                                  (eye->m[2][3] + jack->middle.z) / 2};
+
+    stage_glow(stage, between, stage_multiply(jack->size, GLINT_Q16(1.2)), warm);
+}
+
 /* Brim and cone are stuck into the pumpkin below. */
 static void add_hat(example_stage *stage) {
     const glint_material skin = shiny((glint_colour)RGB(0.8, 0.38, 0.07), GLINT_Q16(0.45), GLINT_Q16(10));
     const glint_material felt = shiny((glint_colour)RGB(0.22, 0.12, 0.3), GLINT_Q16(0.3), GLINT_Q16(6));
-    const glint_vector middle = XYZ(2.35, 0.44, 0.2);
+    const glint_vector middle = XYZ(2.35, 0.38, 0.2);
     const glint_pose body = stage_place((glint_vector)XYZ(0.65, 0.6, 0.65), GLINT_Q16(9), middle);
     const glint_pose stand = glint_pose_rotate_x(GLINT_Q16(-90)), lean = glint_pose_rotate_z(GLINT_Q16(-14));
     const glint_pose upright = glint_pose_then(&stand, &lean);
     const glint_pose long_cone = glint_pose_scale(GLINT_Q16(0.36), GLINT_Q16(0.36), GLINT_Q16(0.55));
     const glint_pose flat = glint_pose_scale(GLINT_Q16(0.62), GLINT_Q16(0.62), GLINT_Q16(0.025));
-    const glint_pose tip = glint_pose_translate(GLINT_Q16(2.47), GLINT_Q16(1.2), GLINT_Q16(0.2));
-    const glint_pose edge = glint_pose_translate(GLINT_Q16(2.38), GLINT_Q16(0.76), GLINT_Q16(0.2));
+    const glint_pose tip = glint_pose_translate(GLINT_Q16(2.47), GLINT_Q16(1.14), GLINT_Q16(0.2));
+    const glint_pose edge = glint_pose_translate(GLINT_Q16(2.38), GLINT_Q16(0.7), GLINT_Q16(0.2));
     glint_pose cone = glint_pose_then(&long_cone, &upright), brim = glint_pose_then(&flat, &upright);
 
     cone = glint_pose_then(&cone, &tip);
@@ -286,22 +289,28 @@ static void add_bat(example_stage *stage, uint32_t frame, int start, glint_q16 s
 }
 
 static void build(example_stage *stage, uint32_t variant, uint32_t frame) {
+    const glint_colour dark = RGB(0.01, 0.01, 0.04), mist = RGB(0.07, 0.08, 0.15);
     const glint_vector moonlight = XYZ(-0.55, -0.75, -0.35), sunlight = XYZ(0.4, -0.8, -0.7);
     const glint_vector eye = {stage_multiply(GLINT_Q16(0.5), wave(frame, 1, 0)), GLINT_Q16(1.9), GLINT_Q16(7.6)};
 
-    stage_clear(stage, (glint_colour)RGB(0.01, 0.01, 0.04));
+    stage_clear(stage, variant == MISTY ? mist : dark);
     stage_look(stage, eye, (glint_vector)XYZ(0.15, 1.3, 0), GLINT_Q16(33));
     stage->scene.camera.near_plane = GLINT_ONE;
     if (variant != FLOODLIT)
         stage_sun(stage, moonlight, (glint_colour)RGB(0.42, 0.53, 0.8))->specular = (glint_colour)RGB(0.6, 0.75, 1.1);
     else
         stage_sun(stage, sunlight, (glint_colour)GREY(0.9));
-    add_sky(stage);
-    add_land(stage);
+    add_sky(stage, variant);
+    add_land(stage, variant);
     add_fence(stage);
     add_tombstones(stage);
-    for (uint32_t i = 0; i < COUNT_OF(lanterns); i++)
+    for (uint32_t i = 0; i < COUNT_OF(lanterns); i++) {
         add_lantern(stage, &lanterns[i], frame);
+        if (variant == MISTY)
+            add_glow(stage, &lanterns[i], frame);
+    }
+    if (variant == MISTY)
+        stage_fog(stage, &glint_fog_squared, GLINT_Q16(6), GLINT_Q16(24), mist);
     add_hat(stage);
     add_bat(stage, frame, 0, GLINT_Q16(0.42));
     add_bat(stage, frame, 150, GLINT_Q16(0.32));

@@ -22,8 +22,10 @@ enum {
     BLINN_PHONG = 256,
     SKEWED = 512, /* beside it the same one, its normals scaled as its points are */
     INVERSE_SQUARE = 1024,
-    TURNING = 2048, /* the cylinder turns, the lamp stays */
-    ORBIT = 4096    /* the eye goes round, the lamp stays */
+    TURNING = 2048,     /* the cylinder turns, the lamp stays */
+    ORBIT = 4096,       /* the eye goes round, the lamp stays */
+    FAR_VIEWER = 8192,  /* V is the same at all pixels */
+    WITH_CAMERA = 16384 /* the lamp goes round with the eye */
 };
 
 #define AMBIENT GLINT_Q16(0.2)
@@ -50,7 +52,10 @@ static const example_variant variants[] = {
      "the "
      "broad side is lit as if it were narrow.",
      LABELS(scaled_labels)},
-    {"vertex-colours", "The vertices' colours take the place of the diffuse colour; the highlight stays white.", 0, 0},
+    {"vertex-colours",
+     "The vertices' colours take the place of the diffuse colour; the highlight adds white light to them, to (213 255 "
+     "157) at its brightest.",
+     0, 0},
     {"scaled-vertex-colours", "Squashed and coloured.", 0, 0},
     {"dark", "A diffuse colour of 0.2, for ambient light too: what is left is mostly the highlight.", 0, 0},
     {"dark-specular-quarter", "With a specular colour of 0.25 it is black plastic: the highlight gives it its shape.",
@@ -74,6 +79,14 @@ static const example_variant variants[] = {
      "The same by Blinn-Phong: the half vector never turns away, and there is no ring. What edge is left is that of "
      "N.L = 0.",
      LABELS(half_labels)},
+    {"near-smooth", "The same lamp at exponent 16: the highlight has ended before the edge, which is not seen.",
+     LABELS(near_labels)},
+    {"far-viewer", "The eye counted as infinitely far away: the ground's highlight moves by 18 pixels.", 0, 0},
+    {"dark-orbit", "The black plastic from all sides: highlights tell its shape.", 0, 0},
+    {"camera-light",
+     "The eye goes round the coloured cylinder, and the lamp with it, its place given in camera space: the highlight "
+     "stays in the picture.",
+     0, 0},
 };
 
 static const struct option {
@@ -100,6 +113,10 @@ static const struct option {
     {DRAW_LIGHT | CLOSE_UP | DARK, GLINT_ONE},
     {DRAW_LIGHT | DARK, GLINT_Q16(SMALL)},
     {DRAW_LIGHT | DARK | BLINN_PHONG, GLINT_Q16(SMALL)},
+    {DRAW_LIGHT | CLOSE_UP | DARK, GLINT_Q16(4 * SHININESS)},
+    {FAR_VIEWER, GLINT_Q16(SHININESS)},
+    {DRAW_LIGHT | DARK | DIM_SPECULAR | ORBIT, GLINT_Q16(SHININESS)},
+    {COLOURED | DRAW_LIGHT | ORBIT | WITH_CAMERA, GLINT_Q16(4 * SHININESS)},
 };
 
 /* A turn of the hue circle, for the columns of the cylinder. Formatted by hand, five columns a line. */
@@ -136,6 +153,16 @@ static const glint_mesh coloured_cylinder = {
     .colours = cylinder_colours,
 };
 
+/* The upper cap alone, whose triangles come last. */
+static const glint_mesh disc = {
+    .positions = cylinder30x2_positions,
+    .normals = cylinder30x2_normals,
+    .triangles = cylinder30x2_triangles + COUNT_OF(cylinder30x2_triangles) - 30,
+    .vertex_count = COUNT_OF(cylinder30x2_positions),
+    .triangle_count = 30,
+    .extent = {65538, 65178, 55708},
+};
+
 static glint_colour weigh(glint_colour colour, glint_q16 weight) {
     const glint_colour product = {stage_multiply(colour.r, weight), stage_multiply(colour.g, weight),
                                   stage_multiply(colour.b, weight)};
@@ -168,7 +195,7 @@ static glint_vector on_circle(glint_q16 radius, glint_q16 height, glint_q16 star
 }
 
 static glint_vector light_position(uint32_t flags, uint32_t frame) {
-    const uint32_t moved = flags & (TURNING | ORBIT) ? 0 : frame;
+    const uint32_t moved = flags & (TURNING | ORBIT) && !(flags & WITH_CAMERA) ? 0 : frame;
 
     if (flags & CLOSE_UP)
         return on_circle(GLINT_Q16(1.35), GLINT_Q16(0.9), GLINT_Q16(112), moved);
@@ -190,6 +217,20 @@ static void add_cylinder(example_stage *stage, const struct option *option, cons
         material.ambient = weigh(material.diffuse, AMBIENT);
     }
     stage_add(stage, mesh, &material, &pose);
+}
+
+/* A dark disc just above the ground, in place of the shadow at a cylinder's foot: it is seen to stand. */
+static void add_foot(example_stage *stage, const struct option *option) {
+    glint_material material = paint(option, (glint_colour)RGB(0.2, 0.25, 0.27));
+    const glint_pose lie = glint_pose_rotate_x(GLINT_Q16(-90));
+    const glint_q16 size = GLINT_Q16(1.12);
+    const glint_pose place =
+        stage_place((glint_vector){size, GLINT_Q16(0.04), option->flags & SCALED ? GLINT_Q16(0.38) : size},
+                    GLINT_Q16(-25), (glint_vector)XYZ(0, 0, 0));
+    const glint_pose pose = glint_pose_then(&lie, &place);
+
+    material.diffuse = material.specular = (glint_colour)GREY(0);
+    stage_add(stage, &disc, &material, &pose);
 }
 
 static void add_light(example_stage *stage, glint_vector position, uint32_t flags) {
@@ -220,23 +261,29 @@ static void look(example_stage *stage, uint32_t flags, uint32_t frame) {
         field_of_view = GLINT_Q16(32);
     }
     stage_look(stage, eye, at, field_of_view);
+    if (flags & FAR_VIEWER)
+        stage->scene.viewer = GLINT_VIEWER_INFINITE;
 }
 
 static void build(example_stage *stage, uint32_t variant, uint32_t frame) {
     const struct option *option = &options[variant];
     const uint32_t flags = option->flags;
-    const glint_material ground = paint(option, (glint_colour)RGB(0.45, 0.55, 0.6));
+    glint_material ground = paint(option, (glint_colour)RGB(0.45, 0.55, 0.6));
     const glint_pose lie = glint_pose_rotate_x(GLINT_Q16(-90));
-    const glint_pose widen = glint_pose_scale(GLINT_Q16(14), GLINT_ONE, GLINT_Q16(14));
+    const glint_pose widen = glint_pose_scale(GLINT_Q16(26), GLINT_ONE, GLINT_Q16(26));
     const glint_pose floor = glint_pose_then(&lie, &widen);
     const glint_q16 apart = flags & SKEWED ? GLINT_Q16(1.15) : 0;
 
-    stage_clear(stage, (glint_colour)RGB(0, 0, 0));
+    if (!(flags & DARK)) /* else its highlight would pass 1 */
+        ground.specular = weigh(ground.specular, GLINT_Q16(0.4));
+    stage_clear(stage, (glint_colour)RGB(0.2, 0.22, 0.25));
     look(stage, flags, frame);
     stage_add(stage, &plane1x1_mesh, &ground, &floor);
     add_cylinder(stage, option, flags & COLOURED ? &coloured_cylinder : &cylinder30x2_mesh, -apart, frame);
     if (flags & SKEWED)
         add_cylinder(stage, option, &cylinder_skewed_mesh, apart, frame);
+    else
+        add_foot(stage, option);
     add_light(stage, light_position(flags, frame), flags);
 }
 

@@ -6,7 +6,7 @@
 #ifndef GLINT_EXAMPLE_SCENES_H
 #define GLINT_EXAMPLE_SCENES_H
 
-#include "glint.h"
+#include "glint_extras.h"
 
 /** Most objects of a scene. */
 #define EXAMPLE_OBJECTS_MAX 32
@@ -17,6 +17,10 @@ typedef struct example_stage {
     glint_light lights[GLINT_LIGHTS_MAX];
     glint_object objects[EXAMPLE_OBJECTS_MAX];
     glint_material materials[EXAMPLE_OBJECTS_MAX];
+    glint_mesh mesh;                 /**< Of others' arrays, where a scene changes one. */
+    glint_fog fog;                   /**< What the scene points to, where it has fog. */
+    const glint_layer_stage *layers; /**< What a configuration needs to draw it, */
+    const glint_sampling *samples;   /**< and is to have; or null. */
 } example_stage;
 
 /** A word beside a picture's subject, for people; the scene itself does not hold it. Pixels as the scene is composed.
@@ -54,10 +58,10 @@ typedef struct example_scene {
 void example_fit(example_stage *stage, const example_scene *scene, uint16_t width, uint16_t height);
 
 /** All of them, in the order of the texts. */
-#define EXAMPLE_SCENES 6
+#define EXAMPLE_SCENES 7
 extern const example_scene *const example_scenes[EXAMPLE_SCENES];
 
 extern const example_scene example_shaders, example_three_spheres, example_halloween, example_teapot,
-    example_phong_lighting, example_surfaces;
+    example_phong_lighting, example_surfaces, example_still_life;
 
 #endif

@@ -28,14 +28,18 @@ static const example_label sphere_labels[] = {
     COLUMNS, {"100 triangles each", 160, 5, 0, 0}, {"2976 triangles each", 160, 175, 0, 0}};
 
 static const example_variant variants[] = {
-    {"torus-50", LOOK "above, of 192 triangles, only the third has its highlight; below, 2304 do for all.",
+    {"torus-50",
+     LOOK "above, of 192 triangles, only the third has its highlight; below, of 2304, all have it but Lambert, whose "
+          "model has none.",
      torus_labels, COUNT_OF(torus_labels)},
     {"torus-100", LOOK "the smaller the highlight, the more of it is lost between vertices.", torus_labels,
      COUNT_OF(torus_labels)},
     {"cylinder-50", LOOK "above, the vertices smear the highlight into a broad band; the third is as narrow as below.",
      cylinder_labels, COUNT_OF(cylinder_labels)},
-    {"cylinder-100", LOOK "above, the bands per vertex stay as broad as at 50, only paler.", cylinder_labels,
-     COUNT_OF(cylinder_labels)},
+    {"cylinder-100",
+     LOOK "above, the bands per vertex stay as broad as at 50; Phong's pales from 125 levels to 103, Blinn-Phong's "
+          "hardly, from 138 to 137.",
+     cylinder_labels, COUNT_OF(cylinder_labels)},
     {"sphere-50", LOOK "above, of 100 triangles, the third is as round as below, but for its outline.", sphere_labels,
      COUNT_OF(sphere_labels)},
     {"sphere-100", LOOK "the third highlight is as good above, of 100 triangles, as below, of 2976.", sphere_labels,

@@ -34,10 +34,23 @@ glint_object *stage_add(example_stage *stage, const glint_mesh *mesh, const glin
 /** Adds an object of the material of the one before. */
 glint_object *stage_again(example_stage *stage, const glint_mesh *mesh, const glint_pose *pose);
 
+/** A disc of radius 20 that faces z: its middle, and 8 rings of 24 vertices. Its colours fade from white to black. */
+enum { STAGE_DISC_VERTICES = 193 };
+extern const glint_mesh stage_disc;
+
+/** Adds a disc of light that faces the camera and fades towards its rim; it is to be set before. */
+glint_object *stage_glow(example_stage *stage, glint_vector position, glint_q16 radius, glint_colour colour);
+
+/** Adds fog, from a depth to where nothing else shows. */
+void stage_fog(example_stage *stage, const glint_fog_type *type, glint_q16 start, glint_q16 end, glint_colour colour);
+
 /** A scale, a turn about y, and a move. */
 glint_pose stage_place(glint_vector scale, glint_q16 turn, glint_vector position);
 
 /** A times b, both Q16.16, rounded to nearest; the product must fit. */
 glint_q16 stage_multiply(glint_q16 a, glint_q16 b);
+
+/** A colour times a factor. */
+glint_colour stage_times(glint_colour colour, glint_q16 factor);
 
 #endif

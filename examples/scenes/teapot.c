@@ -10,10 +10,16 @@
 #define FRAMES 36
 
 static const example_variant variants[] = {
-    {"fragment", "Exponent 100 per fragment: small round highlights, and no trace of the mesh.", 0, 0},
+    {"fragment",
+     "Exponent 100 per fragment: small highlights without a trace of the mesh, on the torus streaks 3.8 and 5.5 times "
+     "as long as wide.",
+     0, 0},
     {"vertex", "Exponent 100 per vertex: the torus, of 576 triangles, shows its mesh in its highlights.", 0, 0},
     {"vertex-coarse", "A torus of 192 triangles loses its highlights between its vertices.", 0, 0},
-    {"vertex-dense", "One of 2304 triangles has them, nearly as good as 576 triangles per fragment.", 0, 0},
+    {"vertex-dense",
+     "One of 2304 triangles has them, 4.7 levels (root mean square) from 576 triangles per fragment; 576 per vertex "
+     "are 9.1 away.",
+     0, 0},
     {"flood", "No shininess term, that is exponent 1: the highlight floods all that the light reaches.", 0, 0},
     {"flood-wide", "Exponent 0.25: below 1 the lobe is wider still, and ends at a sharp edge where N.L is 0.", 0, 0},
 };

@@ -14,9 +14,12 @@ static const example_label labels[] = {
 #define LABELS labels, COUNT_OF(labels)
 
 static const example_variant variants[] = {
-    {"phong", "The lobe of exponent 4, in the middle, is wide and soft, that of 16, on the right, is small and sharp.",
+    {"phong",
+     "The lobe of exponent 4, in the middle, is wide and soft, that of 16, on the right, is small and sharp. The edge "
+     "at the middle sphere's left is where the rear light sets, N.L = 0.",
      LABELS},
-    {"blinn-phong", "At the same exponents the half vector's lobes are about twice as wide as those of phong.", LABELS},
+    {"blinn-phong", "At the same exponents the half vector's lobes are 1.7 and 1.8 times as wide as those of phong.",
+     LABELS},
     {"vertex", "Lit at the vertices of 168 triangles, the highlights show the mesh, and the right one is nearly lost.",
      LABELS},
     {"vertex-dense", "Lit at the vertices of 2976 triangles, they are as good as per fragment with 960.", LABELS},

@@ -74,3 +74,11 @@ void turntable_frame(turntable *table, turntable_model model, uint32_t frame) {
     else
         set_torus(table, frame);
 }
+
+void turntable_fit(turntable *table, uint16_t width, uint16_t height) {
+    glint_q16 *field_of_view = &table->scene.camera.field_of_view;
+
+    if (3 * width < 5 * height && *field_of_view < GLINT_Q16(30)) {
+        *field_of_view = 3 * width < 4 * height ? GLINT_Q16(48) : GLINT_Q16(36);
+    }
+}

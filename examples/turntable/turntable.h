@@ -41,4 +41,8 @@ const char *turntable_name(turntable_model model);
 /** Sets up frame 0, 1, ... of a model. */
 void turntable_frame(turntable *table, turntable_model model, uint32_t frame);
 
+/** Widens the field of view on a display that is not much wider than high, which would cut off a teapot's handle and
+ * spout. */
+void turntable_fit(turntable *table, uint16_t width, uint16_t height);
+
 #endif

@@ -524,6 +524,7 @@ static void order_vertices(glint_mesh *mesh, glint_cluster *clusters) {
     reorder(mesh->normals, order, placed, sizeof *mesh->normals);
     reorder(mesh->colours, order, placed, sizeof *mesh->colours);
     reorder(mesh->colours565, order, placed, sizeof *mesh->colours565);
+    reorder(mesh->texture_coordinates, order, placed, sizeof *mesh->texture_coordinates);
     free(order);
     free(places);
 }

@@ -34,6 +34,30 @@ static bool keeps_model(const host_settings *settings) {
 
 /* ---- Models ----------------------------------------------------------------------------------------------------- */
 
+/** Has pieces drawn from both sides whose material is so, where their surface is open: elsewhere no back is seen. */
+static void open_sides(const host_model *model, quantised_mesh *mesh) {
+    const host_materials *materials = &model->materials;
+    bool any = false;
+    for (uint32_t i = 1; i <= materials->used_count; i++) {
+        any = any || materials_find(materials, i)->double_sided;
+    }
+    if (!any) {
+        return;
+    }
+    const size_t parts = (materials->objects.count + 1) * (materials->used_count + 1);
+    bool *marks = memory_new(parts, sizeof *marks);
+    mesh_mark_open(&model->mesh, marks);
+    for (size_t i = 0; i < mesh->piece_count; i++) {
+        const uint32_t number = mesh->materials[i];
+        const mtl_material *material =
+            materials_find(materials, model->parts != NULL ? model->parts[number].material : number);
+        if (material != NULL && material->double_sided && marks[number]) {
+            mesh->pieces[i].flags |= GLINT_MESH_DOUBLE_SIDED;
+        }
+    }
+    free(marks);
+}
+
 bool command_prepare(const host_settings *settings, bool converted, host_model *model, quantised_mesh *mesh,
                      host_problem *problem) {
     if (!load_model(settings->model, &settings->load, model, problem)) {
@@ -48,6 +72,7 @@ bool command_prepare(const host_settings *settings, bool converted, host_model *
         model_free(model);
         return false;
     }
+    open_sides(model, mesh);
     if (model->parts != NULL) {
         mesh->objects = memory_new(mesh->piece_count, sizeof *mesh->objects);
     }
@@ -81,15 +106,18 @@ void command_print_warnings(const host_settings *settings, const host_model *mod
     materials_print_warnings(&model->materials);
 }
 
-void command_warn_of_size(const host_settings *settings, const quantised_mesh *mesh) {
-    const size_t flash = quantised_size(mesh);
+void command_warn_of_size(const host_settings *settings, const host_materials *materials, const quantised_mesh *mesh) {
+    const size_t flash = quantised_size(mesh) + textures_size(materials);
     host_problem warning;
+    const char *advice = textures_size(materials) > flash / 2
+                             ? "smaller textures (--texture-size N)"
+                             : "fewer triangles (--simplify N), or a part of the model";
     if (mesh->vertex_count > VERTICES_HELD || flash > FLASH_HELD) {
         problem_set(
             &warning, 0,
             "warning: %zu vertices and %zu triangles take %.1f MB of flash, more than microcontrollers have: take "
-            "fewer triangles (--simplify N), or a part of the model",
-            mesh->vertex_count, mesh->triangle_count, (double)flash / 1e6);
+            "%s",
+            mesh->vertex_count, mesh->triangle_count, (double)flash / 1e6, advice);
         problem_print(settings->model, &warning);
     }
 }
@@ -138,6 +166,7 @@ static int draw_still(const command_picture *shown, const host_settings *setting
     png_encode(&file, picture, settings->width, settings->height, settings->format->channels);
     const int status = command_write(&file, settings->output);
     if (status == 0 && settings->stats) {
+        printf("panel %ux%u %s\n", settings->width, settings->height, settings->format->name);
         command_print_stats(&stats, &target);
     }
     free(picture);

@@ -57,8 +57,8 @@ bool command_load(const host_settings *settings, bool converted, host_model *mod
 /** Prints what a model says and is not followed, a line each. */
 void command_print_warnings(const host_settings *settings, const host_model *model);
 
-/** Says on stderr when a mesh is larger than what microcontrollers hold. */
-void command_warn_of_size(const host_settings *settings, const quantised_mesh *mesh);
+/** Says on stderr when a mesh with its textures is larger than what microcontrollers hold. */
+void command_warn_of_size(const host_settings *settings, const host_materials *materials, const quantised_mesh *mesh);
 
 /** Prints what a frame took, a name and a value a line. */
 void command_print_stats(const glint_stats *stats, const framebuffer *target);

@@ -10,7 +10,7 @@ _glint() {
         words=$("$program" "$command" --help | sed -n 's/^  \(--*[a-z-]*\) .*/\1/p')
     else
         # an option's value: one of few, as in infinite|local, or a FILE
-        value=$("$program" "$command" --help | sed -n "s/^  $before  *\([a-z|]*|[a-z|]*\) .*/\1/p; s/^  $before  *\(FILE\) .*/\1/p")
+        value=$("$program" "$command" --help | sed -n "s/^  $before  *\([a-z0-9|]*|[a-z0-9|]*\) .*/\1/p; s/^  $before  *\(FILE\) .*/\1/p")
         if [ "$value" = FILE ]; then
             words=$(compgen -f -- "$word")
         elif [ -n "$value" ]; then

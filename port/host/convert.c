@@ -145,7 +145,7 @@ static header_suffix *find_paints(const host_materials *materials, const quantis
 
 /* ---- The head --------------------------------------------------------------------------------------------------- */
 
-/** Whether an output's name asks for a source and its header: it ends with .c. False for null. */
+/** Says whether an output's name asks for a source and its header: it ends with .c. False for null. */
 static bool is_pair(const char *output) {
     const size_t length = output != NULL ? strlen(path_base_name(output)) : 0;
     return length > 2 && strcmp(path_base_name(output) + length - 2, ".c") == 0;
@@ -160,7 +160,7 @@ static char *header_of(const char *source) {
     return header;
 }
 
-/** Whether a pair can have the names that it would; says why not. True for what is no pair. */
+/** Says whether a pair can have the names that it would; says why not. True for what is no pair. */
 static bool check_pair(const host_settings *settings) {
     host_problem problem;
     if (!is_pair(settings->output)) {
@@ -272,7 +272,7 @@ static void print_head(const header_writer *writer, const host_model *model, con
     bytes_print(out, "/*\n * ");
     print_in_comment(out, path_base_name(writer->settings->model));
     bytes_print(out, ": %zu vertices, %zu triangles, %zu bytes of flash. Generated, not to be edited, by\n *     ",
-                mesh->vertex_count, mesh->triangle_count, quantised_size(mesh));
+                mesh->vertex_count, mesh->triangle_count, quantised_size(mesh) + textures_size(&model->materials));
     print_command_line(writer);
     bytes_print(out, "\n * from a source whose FNV-1a hash (64 bits) is %016llx.\n", (unsigned long long)model->hash);
     if (writer->settings->load.simplify > 0) {
@@ -280,9 +280,17 @@ static void print_head(const header_writer *writer, const host_model *model, con
                     model->read_count, model->error);
     }
     for (size_t i = 0; i < model->materials.library_count; i++) {
-        bytes_print(out, " * Materials from ");
+        bytes_print(out, " * Also read: ");
         print_in_comment(out, path_base_name(model->materials.libraries[i].path));
         bytes_print(out, ", whose hash is %016llx.\n", (unsigned long long)model->materials.libraries[i].hash);
+    }
+    for (size_t i = 0; i < model->materials.texture_count; i++) {
+        if (model->materials.textures[i]->picture > 0) {
+            continue; /* it is a part of the model */
+        }
+        bytes_print(out, " * Also read: ");
+        print_in_comment(out, path_base_name(model->materials.textures[i]->name));
+        bytes_print(out, ", whose hash is %016llx.\n", (unsigned long long)model->materials.textures[i]->hash);
     }
     bytes_print(out, " *\n");
     static const char *const positions[] = {"int16 steps:", "int8, 256 steps each:"};
@@ -293,10 +301,11 @@ static void print_head(const header_writer *writer, const host_model *model, con
                 " * normals    %s\n"
                 " * triangles  %s indices, counter-clockwise seen from outside\n"
                 " * offset     Q16.16, where step 0 lies\n"
-                " * extent     Q16.16, the length of 32768 steps\n%s%s */\n",
+                " * extent     Q16.16, the length of 32768 steps\n%s%s%s */\n",
                 positions[mesh->types.positions], normals[mesh->types.normals],
                 mesh->types.indices == QUANTISE_INDICES_16 ? "uint16" : "uint8 up to 256 vertices, else uint16",
                 mesh->pieces[0].colours != NULL ? " * colours    uint8 red, green, blue: 255 is 1\n" : "",
+                model->materials.texture_count > 0 ? " * uv         int16 steps of u and v, v from the top\n" : "",
                 have_clusters(mesh) ? " * clusters   triangles that face much the same way, and vertices; see glint.h\n"
                                       " * borrowers  uint16 numbers of clusters that look at a cluster's vertices\n"
                                     : "");
@@ -345,6 +354,14 @@ static bool has_layout(const header_writer *writer, const glint_mesh *mesh) {
     const quantise_types *types = &writer->mesh->types;
     return types->positions != QUANTISE_POSITIONS_INT16 || types->normals != QUANTISE_NORMALS_INT16 ||
            quantised_small_indices(writer->mesh, mesh);
+}
+
+static bool has_layouts(const header_writer *writer) {
+    bool have = false;
+    for (size_t i = 0; i < writer->mesh->piece_count; i++) {
+        have = have || has_layout(writer, &writer->mesh->pieces[i]);
+    }
+    return have;
 }
 
 /** One attribute of a layout: none where the mesh has the array. */
@@ -402,6 +419,16 @@ static void print_clusters(const header_writer *writer, const glint_clusters *cl
         name, suffix, name, suffix, name, suffix, (unsigned long)clusters->count);
 }
 
+static void print_coordinates(const header_writer *writer, const glint_mesh *mesh, const char *suffix) {
+    bytes_print(writer->out, "\nstatic const int16_t %s_uv%s[%lu][2] = {", writer->name, suffix,
+                (unsigned long)mesh->vertex_count);
+    for (uint32_t i = 0; i < mesh->vertex_count; i++) {
+        print_gap(writer, i);
+        bytes_print(writer->out, "{%d, %d},", mesh->texture_coordinates[i][0], mesh->texture_coordinates[i][1]);
+    }
+    bytes_print(writer->out, "\n};\n");
+}
+
 static void print_arrays(const header_writer *writer, const glint_mesh *mesh, const char *suffix) {
     const quantise_types *types = &writer->mesh->types;
     const bool is_small = types->positions == QUANTISE_POSITIONS_INT8;
@@ -414,6 +441,9 @@ static void print_arrays(const header_writer *writer, const glint_mesh *mesh, co
     }
     if (mesh->colours != NULL) {
         print_colours(writer, mesh, suffix);
+    }
+    if (mesh->texture_coordinates != NULL) {
+        print_coordinates(writer, mesh, suffix);
     }
     bytes_print(writer->out, "\nstatic const %s %s_triangles%s[%lu][3] = {",
                 quantised_small_indices(writer->mesh, mesh) ? "uint8_t" : "uint16_t", writer->name, suffix,
@@ -467,6 +497,14 @@ static void print_mesh(const header_writer *writer, const glint_mesh *mesh, cons
     } else {
         bytes_print(writer->out, "    0, /* no layout */\n");
     }
+    if (mesh->texture_coordinates != NULL) {
+        bytes_print(writer->out,
+                    "    %s_uv%s,\n    {%ld, %ld}, /* of step 0 */\n    {%ld, %ld}, /* of 32768 steps */\n", name,
+                    suffix, (long)mesh->texture_offset[0], (long)mesh->texture_offset[1], (long)mesh->texture_extent[0],
+                    (long)mesh->texture_extent[1]);
+    } else {
+        bytes_print(writer->out, "    0,\n    {0, 0},\n    {0, 0}, /* no texture */\n");
+    }
 }
 
 static void print_single(const header_writer *writer, const glint_mesh *mesh, const char *suffix) {
@@ -485,14 +523,77 @@ static void print_colour(host_bytes *out, glint_colour colour, const char *what)
     bytes_print(out, "    {%ld, %ld, %ld}, /* %s */\n", (long)colour.r, (long)colour.g, (long)colour.b, what);
 }
 
+/** Returns the suffix of the first material that is written and has a texture; null where none does. */
+static const char *find_wearer(const header_writer *writer, const glint_texture *texture) {
+    for (uint32_t i = 1; i <= writer->materials->used_count; i++) {
+        if (materials_find(writer->materials, i)->texture.made == texture && writer->paints[i].text[0] != '\0') {
+            return writer->paints[i].text;
+        }
+    }
+    return NULL;
+}
+
+static void print_values(host_bytes *out, const void *values, bool are_wide, size_t count) {
+    for (size_t i = 0; i < count; i++) {
+        bytes_print(out, i % 20 == 0 ? "\n    " : " ");
+        bytes_print(out, "%u,", are_wide ? ((const uint16_t *)values)[i] : ((const uint8_t *)values)[i]);
+    }
+    bytes_print(out, "\n};\n");
+}
+
+/** Prints a texture under the name of the first material that has it. */
+static void print_texture(const header_writer *writer, const host_texture *made, const char *suffix) {
+    host_bytes *out = writer->out;
+    const glint_texture *texture = &made->texture;
+    const bool is_wide = made->type == TEXTURE_RGB565;
+    bytes_print(out, "\nstatic const uint%d_t %s_texels%s[%zu] = {", is_wide ? 16 : 8, writer->name, suffix,
+                texture_items(made));
+    print_values(out, texture->texels, is_wide, texture_items(made));
+    if (texture->palette != NULL) {
+        const size_t count = made->type == TEXTURE_PALETTE16 ? 16 : 256;
+        bytes_print(out, "\nstatic const uint16_t %s_palette%s[%zu] = {", writer->name, suffix, count);
+        print_values(out, texture->palette, true, count);
+    }
+    bytes_print(out, "\n%s glint_texture %s_texture%s = {\n    &glint_texture_%s,\n    %s_texels%s,\n", writer->storage,
+                writer->name, suffix, texture_type_names[made->type], writer->name, suffix);
+    if (texture->palette != NULL) {
+        bytes_print(out, "    %s_palette%s,\n", writer->name, suffix);
+    } else {
+        bytes_print(out, "    0, /* no palette */\n");
+    }
+    bytes_print(out, "    %u, /* width */\n    %u, /* height */\n    %s,\n    %u, /* key */\n};\n", texture->width,
+                texture->height, texture->flags != 0 ? "GLINT_TEXTURE_HAS_KEY" : "0", texture->key);
+}
+
+static void print_textures(const header_writer *writer) {
+    for (size_t i = 0; i < writer->materials->texture_count; i++) {
+        const host_texture *made = writer->materials->textures[i];
+        const char *suffix = find_wearer(writer, &made->texture);
+        if (suffix != NULL) {
+            print_texture(writer, made, suffix);
+        }
+    }
+}
+
 static void print_material(const header_writer *writer, const char *suffix, const glint_material *material) {
     host_bytes *out = writer->out;
+    static const char *const flags[] = {"0", "GLINT_MATERIAL_CLAMP", "GLINT_MATERIAL_BILINEAR",
+                                        "GLINT_MATERIAL_CLAMP | GLINT_MATERIAL_BILINEAR"};
+    static const char *const blends[] = {"NONE", "ALPHA", "ADD", "DITHERED"};
     bytes_print(out, "\n%s glint_material %s_material%s = {\n    &glint_model_%s,\n", writer->storage, writer->name,
                 suffix, model_name(material->model));
     print_colour(out, material->ambient, "ambient");
     print_colour(out, material->diffuse, "diffuse");
     print_colour(out, material->specular, "specular");
-    bytes_print(out, "    %ld, /* shininess */\n    0,\n};\n", (long)material->shininess);
+    bytes_print(out, "    %ld, /* shininess */\n    %s,\n", (long)material->shininess,
+                flags[material->flags / GLINT_MATERIAL_CLAMP]);
+    if (material->texture != NULL) {
+        bytes_print(out, "    &%s_texture%s,\n", writer->name, find_wearer(writer, material->texture));
+    } else {
+        bytes_print(out, "    0, /* no texture */\n");
+    }
+    bytes_print(out, "    GLINT_BLEND_%s,\n    %ld, /* opacity */\n", blends[material->blend], (long)material->opacity);
+    bytes_print(out, "};\n");
 }
 
 /** Prints an array's head: `static const TYPE NAME_WHAT[COUNT]`. */
@@ -546,6 +647,7 @@ static void print_names(const header_writer *writer) {
 static void print_objects(const header_writer *writer) {
     host_bytes *out = writer->out;
     const quantised_mesh *mesh = writer->mesh;
+    print_textures(writer);
     bytes_print(out, "\n/* Materials: Q16.16, for ambient light of 1 in the scene. */\n");
     for (uint32_t i = 0; i <= writer->materials->used_count; i++) {
         if (writer->paints[i].text[0] != '\0') {
@@ -559,7 +661,7 @@ static void print_objects(const header_writer *writer) {
     for (size_t i = 0; i < mesh->piece_count; i++) {
         bytes_print(out,
                     "    {&%s_mesh%s, &%s_material%s, {{{65536, 0, 0, 0}, {0, 65536, 0, 0}, {0, 0, 65536, 0}}}, "
-                    "&glint_per_fragment, 0},\n",
+                    "&glint_per_fragment, 0, 0},\n",
                     writer->name, writer->suffixes[i].text, writer->name, writer->paints[mesh->materials[i]].text);
     }
     bytes_print(out, "};\n");
@@ -595,6 +697,12 @@ static void declare_objects(const header_writer *writer) {
         if (writer->paints[i].text[0] != '\0') {
             bytes_print(writer->out, "%s glint_material %s_material%s;\n", writer->storage, writer->name,
                         writer->paints[i].text);
+        }
+    }
+    for (size_t i = 0; i < writer->materials->texture_count; i++) {
+        const char *suffix = find_wearer(writer, &writer->materials->textures[i]->texture);
+        if (suffix != NULL) {
+            bytes_print(writer->out, "%s glint_texture %s_texture%s;\n", writer->storage, writer->name, suffix);
         }
     }
     print_array_head(writer, "glint_object ", "objects");
@@ -742,7 +850,7 @@ static void print_header(const header_writer *writer, const host_model *model) {
     print_head(writer, model, writer->mesh);
     print_guard(writer, "#ifndef");
     print_guard(writer, "#define");
-    bytes_print(writer->out, "\n#include \"glint.h\"\n");
+    bytes_print(writer->out, "\n#include \"%s\"\n", has_layouts(writer) ? "glint_extras.h" : "glint.h");
     if (is_pair(writer->settings->output)) {
         print_declarations(writer);
     } else {
@@ -802,7 +910,7 @@ static int convert(const host_settings *settings, const host_model *model, const
     if (ok) {
         print_report(settings, model, mesh, framed ? &camera : NULL);
         command_print_warnings(settings, model);
-        command_warn_of_size(settings, mesh);
+        command_warn_of_size(settings, &model->materials, mesh);
         warn_of_steps(settings->model, model, mesh);
         warn_of_winding(settings->model, &model->mesh);
     }

@@ -113,8 +113,7 @@ static match find_match(const packer *from, size_t at) {
     return best;
 }
 
-/** The sum that ends a zlib stream: Adler-32. */
-static uint32_t checksum(const uint8_t *data, size_t count) {
+uint32_t zlib_sum(const uint8_t *data, size_t count) {
     uint32_t a = 1;
     uint32_t b = 0;
     for (size_t i = 0; i < count; i++) {
@@ -149,7 +148,7 @@ void zlib_encode(host_bytes *out, const uint8_t *data, size_t count) {
     }
     put_symbol(&to, END_OF_BLOCK);
     put_bits(&to, 0, 7); /* fill the last byte */
-    const uint32_t check = checksum(data, count);
+    const uint32_t check = zlib_sum(data, count);
     for (int shift = 24; shift >= 0; shift -= 8) {
         bytes_add(out, (uint8_t)(check >> shift & 0xFF));
     }

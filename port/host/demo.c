@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file demo.c
- * A sheet of pictures, each of them what `glint render` draws with the arguments that stand here.
+ * A sheet of pictures as panels show them: each is what `glint render` draws with the arguments that stand here.
  */
 #include "command.h"
 
@@ -13,51 +13,44 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define SHEET_WIDTH 960u
-#define SHEET_HEIGHT 720u
+/** A panel of 320x240 pixels each, in rows from the left. File names are looked up in the folder of the models. */
+#define PANEL "--size 320x240 --format rgb565 --dither "
+#define CELL_WIDTH 320u
+#define CELL_HEIGHT 240u
+#define COLUMNS 3u
 
 /** Most arguments of a cell, and bytes of all of them. */
 #define ARGUMENTS_MAX 48
 #define ARGUMENTS_SIZE 512
 
-/** A picture and its place on the sheet. File names are looked up in the folder of the models. */
-typedef struct demo_cell {
-    uint32_t x, y;
-    const char *arguments;
-} demo_cell;
+#define CELLS (sizeof cells / sizeof cells[0])
+#define SHEET_WIDTH (COLUMNS * CELL_WIDTH)
+#define SHEET_HEIGHT ((uint32_t)CELLS / COLUMNS * CELL_HEIGHT)
 
-static const demo_cell cells[] = {
+static const char *const cells[] = {
     /* Glazed clay: a warm key light, a cool one from behind that draws the outline, a faint one from below. */
-    {0, 0,
-     "teapot.obj --size 640x480 --double-sided --eye 0.5,1.05,2.45 --at 0,-0.03,0 --fov 36 --viewer local "
-     "--light dir:-0.6,0.8,0.7:1,0.95,0.86 --light dir:0.9,0.35,-0.7:0.35,0.55,0.95 "
-     "--light dir:0.2,-0.9,0.4:0.2,0.13,0.1 --ambient .05,.055,.07 --diffuse .5,.13,.1 --specular .9 "
-     "--shininess 60 --background .075,.085,.115"},
+    "teapot.obj --double-sided --eye 0.55,1.65,2.3 --at 0.07,-0.04,0 --fov 32 --viewer local "
+    "--light dir:-0.6,0.8,0.7:1,0.95,0.86 --light dir:0.9,0.35,-0.7:0.35,0.55,0.95 "
+    "--light dir:0.2,-0.9,0.4:0.2,0.13,0.1 --ambient .05,.055,.07 --diffuse .5,.13,.1 --specular .9 "
+    "--shininess 60 --background .075,.085,.115",
     /* Copper. */
-    {640, 0,
-     "spot.obj --rotate-y 205 --eye 0.1,0.75,2.9 --at 0,0.12,0 --fov 36 --viewer local "
-     "--light dir:-0.7,0.8,0.6:1,.95,.9 --light dir:1,0.2,-0.4:.5,.35,.3 --ambient .08,.035,.025 "
-     "--diffuse .62,.27,.13 --specular .8,.52,.34 --shininess 22 --background .12,.085,.08"},
+    "spot.obj --rotate-y 172 --viewer local --light dir:-0.7,0.8,0.6:1,.95,.9 --light dir:1,0.2,-0.4:.5,.35,.3 "
+    "--ambient .08,.035,.025 --diffuse .62,.27,.13 --specular .8,.52,.34 --shininess 22 --background .12,.085,.08",
     /* Plastic, seen by the infinite viewer. */
-    {640, 240,
-     "torus:96x48 --eye 0.9,-2.3,2.1 --at 0,0,-0.1 --up 0,0,1 --fov 48 --viewer infinite "
-     "--light dir:-0.5,-0.5,1 --light dir:0.9,0.4,0.5:.25,.3,.45 --ambient .01,.04,.07 "
-     "--diffuse .04,.36,.68 --specular .85 --shininess 160 --background .06,.1,.13"},
+    "torus:96x48 --rotate-x -65 --viewer infinite --light dir:-0.5,1,0.5 --light dir:0.9,0.5,-0.4:.25,.3,.45 "
+    "--ambient .01,.04,.07 --diffuse .04,.36,.68 --specular .85 --shininess 160 --background .06,.1,.13",
     /* Facets: normals split at every edge. */
-    {0, 480,
-     "spot-control.obj --crease 0 --rotate-y 150 --eye 0.2,0.8,2.9 --at 0,0.1,0 --fov 37 --viewer infinite "
-     "--light dir:-0.6,0.9,0.5:1,1,.9 --light dir:0.8,-0.1,0.6:.3,.35,.5 --ambient .06,.09,.06 "
-     "--diffuse .45,.68,.33 --specular .15 --shininess 8 --background .085,.115,.085"},
+    "spot-control.obj --crease 0 --rotate-y 180 --viewer infinite --light dir:-0.6,0.9,0.5:1,1,.9 "
+    "--light dir:0.8,-0.1,0.6:.3,.35,.5 --ambient .06,.09,.06 --diffuse .45,.68,.33 --specular .15 --shininess 8 "
+    "--background .085,.115,.085",
     /* Steel. */
-    {320, 480,
-     "featuretype.obj --rotate-y 28 --eye -0.45,1.5,2.1 --at -0.03,-0.02,0 --fov 40 --viewer local "
-     "--light dir:-0.45,1,0.8:.95,.97,1 --light dir:0.3,0.62,-0.82:.75,.6,.4 --light dir:0.9,-0.45,0.7:.4,.45,.55 "
-     "--ambient .07,.075,.085 --diffuse .44,.46,.5 --specular .7 --shininess 18 --background .1,.1,.108"},
+    "featuretype.obj --rotate-y 68 --viewer local --light dir:-0.5,0.8,0.7:.95,.97,1 "
+    "--light dir:0.3,0.62,-0.82:.75,.6,.4 --light dir:0.9,-0.45,0.7:.4,.45,.55 --ambient .07,.075,.085 "
+    "--diffuse .44,.46,.5 --specular .7 --shininess 18 --background .1,.1,.108",
     /* Three coloured lights and a grey one on white. */
-    {640, 480,
-     "sphere:128x64 --eye 0,0.5,3.1 --fov 42 --viewer local --light dir:-1,0.5,0.6:1,.16,.12 "
-     "--light dir:1,0.5,0.5:.14,.35,1 --light dir:0,-1,0.35:.12,.8,.2 --light dir:0,1,.6:.3,.3,.3 --ambient .03 "
-     "--diffuse .75 --specular .6 --shininess 300 --background .095,.085,.12"},
+    "sphere:128x64 --eye 0,0.5,3.1 --fov 41 --viewer local --light dir:-1,0.5,0.6:1,.16,.12 "
+    "--light dir:1,0.5,0.5:.14,.35,1 --light dir:0,-1,0.35:.12,.8,.2 --light dir:0,1,.6:.3,.3,.3 --ambient .03 "
+    "--diffuse .75 --specular .6 --shininess 300 --background .095,.085,.12",
 };
 
 typedef struct demo_words {
@@ -68,7 +61,7 @@ typedef struct demo_words {
 
 static void split_words(const char *text, demo_words *out) {
     out->count = 0;
-    snprintf(out->text, sizeof out->text, "%s", text);
+    snprintf(out->text, sizeof out->text, PANEL "%s", text);
     for (char *word = strtok(out->text, " "); word != NULL && out->count < ARGUMENTS_MAX; word = strtok(NULL, " ")) {
         out->words[out->count++] = word;
     }
@@ -83,18 +76,20 @@ static char *model_path(const char *folder, const char *model) {
     return path;
 }
 
-static void place_picture(const framebuffer *source, const demo_cell *cell, uint8_t *sheet) {
+static void place_picture(const framebuffer *source, size_t cell, uint8_t *sheet) {
     uint8_t *picture = framebuffer_expand(source);
     const size_t row = 3 * (size_t)source->width;
+    const size_t left = cell % COLUMNS * CELL_WIDTH;
+    const size_t top = cell / COLUMNS * CELL_HEIGHT;
     for (uint32_t y = 0; y < source->height; y++) {
-        memcpy(sheet + 3 * ((size_t)(cell->y + y) * SHEET_WIDTH + cell->x), picture + y * row, row);
+        memcpy(sheet + 3 * ((top + y) * SHEET_WIDTH + left), picture + y * row, row);
     }
     free(picture);
 }
 
 /** Draws a cell's scene onto the sheet. @return false with a problem */
-static bool draw_view(const host_settings *settings, const host_model *model, const quantised_mesh *mesh,
-                      const demo_cell *cell, uint8_t *sheet, host_problem *problem) {
+static bool draw_view(const host_settings *settings, const host_model *model, const quantised_mesh *mesh, size_t cell,
+                      uint8_t *sheet, host_problem *problem) {
     host_view view;
     framebuffer target;
     glint_stats stats;
@@ -111,12 +106,12 @@ static bool draw_view(const host_settings *settings, const host_model *model, co
 }
 
 /** Draws a cell, or prints what is wrong. */
-static bool draw_cell(const demo_cell *cell, const host_settings *demo, uint8_t *sheet) {
+static bool draw_cell(size_t cell, const host_settings *demo, uint8_t *sheet) {
     demo_words words;
     host_settings settings;
     host_problem problem;
     settings_default(&settings);
-    split_words(cell->arguments, &words);
+    split_words(cells[cell], &words);
     if (!settings_parse(&settings, COMMAND_RENDER, words.count, words.words, &problem)) {
         problem_print(NULL, &problem);
         return false;
@@ -154,8 +149,8 @@ static int write_sheet(const uint8_t *sheet, const char *path) {
 int command_demo(const host_settings *settings) {
     uint8_t *sheet = memory_new((size_t)SHEET_WIDTH * SHEET_HEIGHT, 3);
     bool ok = true;
-    for (size_t i = 0; ok && i < sizeof cells / sizeof cells[0]; i++) {
-        ok = draw_cell(&cells[i], settings, sheet);
+    for (size_t i = 0; ok && i < CELLS; i++) {
+        ok = draw_cell(i, settings, sheet);
     }
     const int status = ok ? write_sheet(sheet, settings->output) : COMMAND_FAILED;
     free(sheet);

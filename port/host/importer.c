@@ -46,6 +46,19 @@ static const char *find_line(const host_bytes *text, const char *mark) {
     return NULL;
 }
 
+/** Adds a warning for each line at the start of a text of whole lines that tells what was left out. */
+static void read_skipped(const char *at, const char *end, host_warnings *warnings) {
+    static const char mark[] = "# warning ";
+    const size_t length = sizeof mark - 1;
+    while ((size_t)(end - at) > length && memcmp(at, mark, length) == 0 && warnings->count < PROBLEM_WARNINGS_MAX) {
+        const char *next = memchr(at, '\n', (size_t)(end - at));
+        char quote[PROBLEM_QUOTE_SIZE];
+        problem_set(&warnings->list[warnings->count++], 0, "warning: %s",
+                    problem_quote(quote, at + length, (size_t)(next - at) - length));
+        at = next + 1;
+    }
+}
+
 /** Lines are those of what was printed, which nobody sees. */
 static void forget_lines(host_warnings *warnings) {
     for (size_t i = 0; i < warnings->count; i++) {
@@ -66,7 +79,11 @@ static bool read_text(const host_bytes *text, host_mesh *mesh, host_materials *m
         return false;
     }
     memset(materials, 0, sizeof *materials);
+    read_skipped(start, middle, warnings);
     mtl_read(start, (size_t)(middle - start), &materials->all, warnings);
+    for (size_t i = 0; i < materials->all.count; i++) {
+        materials->all.list[i].texture.line = 0;
+    }
     materials_name(&named, mesh, materials, warnings);
     obj_materials_free(&named);
     forget_lines(warnings);
@@ -83,7 +100,8 @@ bool importer_load(const char *name, const child_limits *limits, host_mesh *mesh
     find_program(program);
     if (strchr(program, '/') != NULL && access(program, X_OK) != 0) {
         return problem_set(problem, 0,
-                           "only OBJ files are read: for others install libassimp-dev, and run make host again");
+                           "only OBJ, STL, PLY, OFF and glTF are read: for others install libassimp-dev, and run make "
+                           "host again");
     }
     host_bytes text;
     host_problem why;

@@ -43,10 +43,7 @@ static bool report_arena(const report_subject *subject, const settings_panel *pa
     if (!view_make(&view, &framed, subject->materials, subject->mesh, problem)) {
         return false;
     }
-    glint_config config = {.width = framed.width, .height = framed.height, .format = framed.format->format};
-    framebuffer target = {0}; /* not drawn to: a port that waits takes two tile buffers, and this one does */
-    config.flush = framebuffer_flush(&target);
-    const glint_status status = glint_arena_need(&config, &view.scene, need);
+    const glint_status status = view_need(&view.scene, &framed, need);
     view_free(&view);
     if (status != GLINT_OK) {
         return problem_set(problem, 0, "%s", glint_strerror(status));
@@ -90,7 +87,8 @@ bool report_print(const report_subject *subject, host_problem *problem) {
     memset(unturned.rotate, 0, sizeof unturned.rotate);
     printf("vertices %zu\n", moved.vertex_count);
     printf("triangles %zu\n", moved.triangle_count);
-    printf("flash_bytes %zu\n", quantised_size(&moved));
+    printf("flash_bytes %zu\n", quantised_size(&moved) + textures_size(subject->materials));
+    textures_print(subject->materials);
     printf("largest_move %.3g\n", subject->mesh->largest_move);
     printf("largest_turn %.3g\n", subject->mesh->largest_turn);
     bool ok = report_arena(&here, panel, &need, problem);
@@ -148,7 +146,8 @@ static void print_counts(const host_model *model, const quantised_mesh *mesh) {
     print_winding(model);
     printf("colours %s\n", model->mesh.colours != NULL ? "given" : "none");
     printf("materials %zu\n", model->materials.used_count);
-    printf("flash_bytes %zu\n", quantised_size(mesh));
+    printf("flash_bytes %zu\n", quantised_size(mesh) + textures_size(&model->materials));
+    textures_print(&model->materials);
 }
 
 static void print_bounds(const host_model *model, const quantised_mesh *mesh) {
@@ -236,7 +235,7 @@ int command_info(const host_settings *settings) {
     if (ok) {
         print_types(&model);
         command_print_warnings(settings, &model);
-        command_warn_of_size(settings, &mesh);
+        command_warn_of_size(settings, &model.materials, &mesh);
     }
     quantised_free(&mesh);
     model_free(&model);

@@ -29,11 +29,17 @@ static bool load_mesh(const char *name, const load_options *options, host_model 
     }
     host_bytes file;
     if (!bytes_read_file(&file, name, OBJ_FILE_MAX, problem)) {
-        return false;
+        return strpbrk(name, "./") == NULL ? shape_offer(problem) : false;
     }
     model->hash = bytes_hash(file.data, file.count);
-    const bool imported = importer_takes(name);
-    bool ok = imported || load_obj(name, &file, model, problem);
+    const bool is_own = reader_takes(name);
+    const bool imported = !is_own && importer_takes(name);
+    bool ok = true;
+    if (is_own) {
+        ok = reader_load(name, &file, &model->mesh, &model->materials, &model->warnings, problem);
+    } else if (!imported) {
+        ok = load_obj(name, &file, model, problem);
+    }
     free(file.data);
     if (imported) {
         ok = importer_load(name, &options->import, &model->mesh, &model->materials, &model->warnings, problem);
@@ -82,7 +88,8 @@ bool load_model(const char *name, const load_options *options, host_model *model
         return false;
     }
     model->parts = NULL;
-    if (options->objects && !number_parts(model, problem)) {
+    if (!textures_load(name, options->picture, &options->texture, mesh, &model->materials, &model->warnings, problem) ||
+        (options->objects && !number_parts(model, problem))) {
         model_free(model);
         return false;
     }
@@ -90,7 +97,7 @@ bool load_model(const char *name, const load_options *options, host_model *model
     count_normals(model);
     model->turned_count = options->repair ? mesh_repair_winding(mesh) : 0;
     if (!options->facets) {
-        mesh_average_normals(mesh, options->crease, options->weights);
+        mesh_make_normals(mesh, &options->normals);
     }
     model->read_count = mesh->triangle_count;
     if (reduced && !mesh_simplify(mesh, options->simplify, &model->error, problem)) {

@@ -10,6 +10,7 @@
 
 #include <stdio.h>
 #include <string.h>
+#include <strings.h>
 
 typedef struct host_command {
     const char *name;
@@ -46,9 +47,9 @@ static int print_help(void) {
         print_command(&commands[i]);
     }
     printf("\nglint help [COMMAND]\nglint --version\n\n"
-           "MODEL is a Wavefront OBJ file; or one that assimp reads by way of glint-import, whose name ends by its\n"
-           "format, such as .glb, .gltf, .stl, .ply, .fbx, .dae or .3ds (the environment's GLINT_IMPORT names another\n"
-           "program for that); or one of\n");
+           "MODEL is a Wavefront OBJ file; or one whose name ends by its format: .gltf, .glb, .stl, .ply, .off or, by\n"
+           "way of glint-import, what assimp reads, such as .fbx, .dae or .3ds (the environment's GLINT_IMPORT names\n"
+           "another program for that); or one of\n");
     for (const host_shape *shape = host_shapes; shape->name != NULL; shape++) {
         char left[40];
         snprintf(left, sizeof left, "%s%s", shape->name, shape->syntax);
@@ -57,14 +58,30 @@ static int print_help(void) {
     printf(
         "\nWhat holds without an option stands last in its line. The exit status is 0 when all was done, else 2: bad\n"
         "input ends with one line on stderr and no output file. What a model says and glint does not follow, such as\n"
-        "textures, is told by warnings on stderr, with status 0. The file to write replaces an older one, or the one\n"
-        "that a link of its name leads to, whole or not at all; it may not be one that is read.\n");
+        "textures, is told by warnings on stderr, with status 0, as is why a picture shows nothing or is black. The "
+        "file\n"
+        "to write replaces an older one, or the one that a link of its name leads to, whole or not at all; it may not "
+        "be\n"
+        "one that is read.\n");
     return 0;
 }
 
 static int print_version(void) {
     printf("glint %d.%d.%d\n", GLINT_VERSION_MAJOR, GLINT_VERSION_MINOR, GLINT_VERSION_PATCH);
     return 0;
+}
+
+/** Refuses names of pictures in other formats than PNG: they would lie. */
+static bool check_picture(const char *output, host_problem *problem) {
+    static const char *const others[] = {"jpg", "jpeg", "gif",  "bmp", "ppm", "pgm", "pnm", "tga",
+                                         "tif", "tiff", "webp", "svg", "pdf", "mp4", "h",   "c"};
+    const char *dot = strrchr(path_base_name(output), '.');
+    for (size_t i = 0; dot != NULL && i < sizeof others / sizeof others[0]; i++) {
+        if (strcasecmp(dot + 1, others[i]) == 0) {
+            return problem_set(problem, 0, "-o: pictures are PNG files: name it .png, not %s", dot);
+        }
+    }
+    return true;
 }
 
 static int run_command(const host_command *command, int count, char **arguments) {
@@ -84,6 +101,9 @@ static int run_command(const host_command *command, int count, char **arguments)
     }
     if (command->takes_output && settings.output == NULL) {
         problem_set(&problem, 0, "%s: the file to write is missing: -o FILE", command->name);
+        return command_fail(NULL, &problem);
+    }
+    if (settings.output != NULL && command->bit != COMMAND_CONVERT && !check_picture(settings.output, &problem)) {
         return command_fail(NULL, &problem);
     }
     return command->run(&settings);
@@ -135,7 +155,7 @@ static int run(int count, char **arguments) {
         print_command(command);
         return 0;
     }
-    if (strcmp(arguments[1], "help") == 0 || strcmp(arguments[1], "--help") == 0) {
+    if (strcmp(arguments[1], "help") == 0 || strcmp(arguments[1], "--help") == 0 || strcmp(arguments[1], "-h") == 0) {
         return print_help();
     }
     if (strcmp(arguments[1], "--version") == 0) {

@@ -7,11 +7,12 @@
 #include <string.h>
 
 /** Kinds of notes on names that lead to nothing. */
-enum { KIND_OUTSIDE = TEXT_KINDS, KIND_UNREAD, KIND_MANY, KIND_UNKNOWN };
+enum { KIND_OUTSIDE = TEXT_KINDS, KIND_UNREAD, KIND_UTF16, KIND_MANY, KIND_UNKNOWN };
 
 static const char *const note_texts[] = {
     [KIND_OUTSIDE] = "is skipped: it is not in the model's folder",
     [KIND_UNREAD] = "cannot be read: its materials are missing",
+    [KIND_UTF16] = "is text in UTF-16, and is skipped: save it as UTF-8 or ASCII",
     [KIND_MANY] = "is skipped: no more than 64 files of materials are read",
     [KIND_UNKNOWN] = "is not among the materials: the default one stands",
 };
@@ -31,8 +32,7 @@ static text_token token_of(const char *name) {
 
 /* ---- Files ------------------------------------------------------------------------------------------------------ */
 
-/** Whether a path stays in the folder that it begins in: it is relative, and no part of it is `..`. */
-static bool is_inside(const char *path) {
+bool path_is_inside(const char *path) {
     bool inside = *path != '/';
     for (const char *part = path; inside && part != NULL; part = strchr(part, '/')) {
         part += *part == '/';
@@ -41,17 +41,26 @@ static bool is_inside(const char *path) {
     return inside;
 }
 
+static bool is_utf16(const host_bytes *file) {
+    return file->count >= 2 && (memcmp(file->data, "\xFF\xFE", 2) == 0 || memcmp(file->data, "\xFE\xFF", 2) == 0);
+}
+
 /** Reads a file of the model's folder. @return 0, or the kind of a note */
-static int read_library(library_loader *loader, text_token name) {
+static int read_file(library_loader *loader, text_token name) {
     char *path = memory_new(loader->folder_size + name.length + 1, 1);
     memcpy(path, loader->folder, loader->folder_size);
     memcpy(path + loader->folder_size, name.start, name.length);
     host_bytes file;
     host_problem problem;
-    const bool inside = is_inside(path + loader->folder_size);
+    const bool inside = path_is_inside(path + loader->folder_size);
     if (!inside || !bytes_read_file(&file, path, MTL_FILE_MAX, &problem)) {
         free(path);
         return inside ? KIND_UNREAD : KIND_OUTSIDE;
+    }
+    if (is_utf16(&file)) {
+        free(file.data);
+        free(path);
+        return KIND_UTF16;
     }
     host_materials *materials = loader->materials;
     materials->libraries = memory_grow(materials->libraries, &materials->library_capacity, materials->library_count,
@@ -60,13 +69,39 @@ static int read_library(library_loader *loader, text_token name) {
     library->path = path;
     library->hash = bytes_hash(file.data, file.count);
     library->warnings.count = 0;
+    const size_t before = materials->all.count;
     mtl_read((const char *)file.data, file.count, &materials->all, &library->warnings);
+    for (size_t i = before; i < materials->all.count; i++) {
+        materials->all.list[i].texture.library = materials->library_count;
+    }
     free(file.data);
     return 0;
 }
 
+/**
+ * Reads a file by its name as it stands or else as other systems write paths: with backslashes; or with folders of the
+ * machine where it was written, in place of which the model's is taken.
+ * @param may_be_several whether the name may be several, which the last folder would hide
+ * @return 0, or the kind of a note
+ */
+static int read_library(library_loader *loader, text_token name, bool may_be_several) {
+    int kind = read_file(loader, name);
+    if (kind == KIND_UTF16 || kind == 0) {
+        return kind;
+    }
+    char *path = text_copy(name);
+    for (char *at = strchr(path, '\\'); at != NULL; at = strchr(at, '\\')) {
+        *at = '/';
+    }
+    const char *base = path_base_name(path);
+    const bool read = read_file(loader, token_of(path)) == 0 ||
+                      (!may_be_several && base != path && *base != '\0' && read_file(loader, token_of(base)) == 0);
+    free(path);
+    return read ? 0 : kind;
+}
+
 static void load_library(library_loader *loader, text_token name, size_t line) {
-    const int kind = loader->tried++ < OBJ_LIBRARIES_MAX ? read_library(loader, name) : KIND_MANY;
+    const int kind = loader->tried++ < OBJ_LIBRARIES_MAX ? read_library(loader, name, false) : KIND_MANY;
     if (kind != 0) {
         text_note_add(&loader->notes, kind, name, line);
     }
@@ -78,7 +113,7 @@ static void load_libraries(library_loader *loader, const obj_name *named) {
     text_token name = token_of(named->text);
     if (strpbrk(named->text, " \t") == NULL) {
         load_library(loader, name, named->line);
-    } else if (read_library(loader, name) != 0) {
+    } else if (read_library(loader, name, true) != 0) {
         while (text_next_token(&names, &name)) {
             load_library(loader, name, named->line);
         }
@@ -174,6 +209,7 @@ void materials_free(host_materials *materials) {
         free(materials->libraries[i].path);
     }
     free(materials->libraries);
+    textures_free(materials);
     obj_names_free(&materials->objects);
     free(materials->used);
     mtl_free(&materials->all);

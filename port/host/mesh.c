@@ -10,10 +10,12 @@
 void mesh_free(host_mesh *mesh) {
     free(mesh->positions);
     free(mesh->normals);
+    free(mesh->textures);
     free(mesh->triangles);
     free(mesh->colours);
     free(mesh->materials);
     free(mesh->objects);
+    free(mesh->smoothing);
     memset(mesh, 0, sizeof *mesh);
 }
 
@@ -43,6 +45,13 @@ uint32_t mesh_add_normal(host_mesh *mesh, double x, double y, double z) {
     return (uint32_t)mesh->normal_count++;
 }
 
+uint32_t mesh_add_texture(host_mesh *mesh, double u, double v) {
+    mesh->textures = memory_grow(mesh->textures, &mesh->texture_capacity, mesh->texture_count, sizeof *mesh->textures);
+    mesh->textures[mesh->texture_count][0] = isfinite(u) ? u : 0;
+    mesh->textures[mesh->texture_count][1] = isfinite(v) ? v : 0;
+    return (uint32_t)++mesh->texture_count;
+}
+
 void mesh_add_colour(host_mesh *mesh, uint8_t r, uint8_t g, uint8_t b) {
     mesh->colours = memory_grow(mesh->colours, &mesh->colour_capacity, mesh->colour_count, sizeof *mesh->colours);
     uint8_t *colour = mesh->colours[mesh->colour_count++];
@@ -57,8 +66,11 @@ void mesh_add_triangle(host_mesh *mesh, mesh_corner a, mesh_corner b, mesh_corne
     mesh->materials =
         memory_grow(mesh->materials, &mesh->material_capacity, mesh->triangle_count, sizeof *mesh->materials);
     mesh->objects = memory_grow(mesh->objects, &mesh->object_capacity, mesh->triangle_count, sizeof *mesh->objects);
+    mesh->smoothing =
+        memory_grow(mesh->smoothing, &mesh->smoothing_capacity, mesh->triangle_count, sizeof *mesh->smoothing);
     mesh->materials[mesh->triangle_count] = mesh->material;
     mesh->objects[mesh->triangle_count] = mesh->object;
+    mesh->smoothing[mesh->triangle_count] = mesh->smooth;
     mesh_corner *triangle = mesh->triangles[mesh->triangle_count++];
     triangle[0] = a;
     triangle[1] = b;

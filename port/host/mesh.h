@@ -15,26 +15,33 @@
 /** A corner's normal that is not there (yet). */
 #define MESH_NO_NORMAL UINT32_MAX
 
-/** Crease angle for mesh_average_normals: keep the normals that are there and smooth over every edge. */
-#define MESH_NO_CREASE (-1.0)
+/** Smoothing of triangles. From 2 on it is a smoothing group: triangles of one group are smooth where they meet. */
+enum {
+    MESH_BY_CREASE, /**< The angle between triangles decides. */
+    MESH_FACETED    /**< Sharp at all edges. */
+};
 
 typedef struct mesh_corner {
     uint32_t position;
-    uint32_t normal; /**< Or MESH_NO_NORMAL. */
+    uint32_t normal;  /**< Or MESH_NO_NORMAL. */
+    uint32_t texture; /**< Its texture coordinates, counted from 1; 0 for none. */
 } mesh_corner;
 
 /** Owns its arrays; zeroed it is an empty mesh. */
 typedef struct host_mesh {
     double (*positions)[3];
     double (*normals)[3];        /**< Outward, unit length or all 0. */
+    double (*textures)[2];       /**< Texture coordinates: u from the left edge, v from the top one. */
     mesh_corner (*triangles)[3]; /**< Counter-clockwise seen from outside. */
     uint8_t (*colours)[3];       /**< Of the positions, 255 for 1; null when there are none. */
     uint32_t *materials;         /**< Of the triangles: 0 for none, else as whoever added them numbers materials. */
     uint32_t *objects;           /**< Of the triangles, likewise: objects that the file names. */
-    uint32_t material, object;   /**< Of triangles that are added. */
+    uint32_t *smoothing;         /**< Of the triangles, as above. */
+    uint32_t material, object, smooth; /**< Of triangles that are added. */
     size_t position_count, position_capacity;
     size_t normal_count, normal_capacity;
-    size_t triangle_count, triangle_capacity, material_capacity, object_capacity;
+    size_t texture_count, texture_capacity;
+    size_t triangle_count, triangle_capacity, material_capacity, object_capacity, smoothing_capacity;
     size_t colour_count, colour_capacity; /**< position_count, or 0 when there are none. */
     uint64_t clip_steps;                  /**< Corners looked at to clip ears, of all polygons. */
     size_t face_count;                    /**< Faces that the triangles came from. */
@@ -85,6 +92,9 @@ uint32_t mesh_add_position(host_mesh *mesh, double x, double y, double z);
 /** Appends a normal, made unit length unless its length is 0. @return its index */
 uint32_t mesh_add_normal(host_mesh *mesh, double x, double y, double z);
 
+/** Appends texture coordinates; those that are not finite become 0. @return their number, from 1 */
+uint32_t mesh_add_texture(host_mesh *mesh, double u, double v);
+
 /** Appends the colour of the next position that has none, each channel 0 to 255. */
 void mesh_add_colour(host_mesh *mesh, uint8_t r, uint8_t g, uint8_t b);
 
@@ -111,12 +121,19 @@ void mesh_move_to_origin(host_mesh *mesh, const double origin[3]);
 /** Turns positions and normals about an axis, right-handed, by an angle of that cosine and sine. */
 void mesh_turn(host_mesh *mesh, int axis, double cosine, double sine);
 
+/** How normals are made. */
+typedef struct mesh_normal_rule {
+    double crease; /**< Degrees, 0 to 180: by crease, edges whose triangles turn by more are sharp. */
+    bool anew;     /**< Make all normals, and do not follow the triangles' smoothing. */
+    mesh_weights weights;
+} mesh_normal_rule;
+
 /**
- * Gives normals to the corners that have none: weighted averages over the triangles round a position.
- * @param crease with an angle from 0 to 180 degrees all normals are made anew, and split at edges whose triangles turn
- *        by more than that; MESH_NO_CREASE to make the missing ones only, without splits
+ * Gives normals to the corners that have none: weighted averages over the triangles round a position, up to sharp
+ * edges. Triangles meet where they have positions of the same number or, in a mesh with colours, at the same place;
+ * those too thin to have a normal take part with that of the surface they lie in.
  */
-void mesh_average_normals(host_mesh *mesh, double crease, mesh_weights weights);
+void mesh_make_normals(host_mesh *mesh, const mesh_normal_rule *rule);
 
 /** Makes all normals anew: the triangles' own. */
 void mesh_make_facet_normals(host_mesh *mesh);
@@ -135,6 +152,12 @@ uint32_t *mesh_weld(const host_mesh *mesh);
 
 /** Looks at how the mesh is wound. */
 mesh_winding mesh_check_winding(const host_mesh *mesh);
+
+/**
+ * Marks materials of which backs may be seen: a triangle of theirs is of a part that is open, or not wound outwards.
+ * @param marks by the triangles' materials, false at first
+ */
+void mesh_mark_open(const host_mesh *mesh, bool *marks);
 
 /**
  * Turns triangles so that each part is wound consistently and faces outwards: away from the volume that it encloses or,
@@ -164,9 +187,9 @@ mesh_topology mesh_check_topology(const host_mesh *mesh);
 /**
  * Brings a mesh to at most `most` triangles: edges are collapsed into one of their ends, those first that move the
  * surface least (quadrics, Garland and Heckbert, 1997), and never so that the surface tears, or parts of different
- * materials or colours part. Positions that are the same must be one (mesh_join). Triangles and positions come into an
- * order in which neighbours follow each other. A corner takes, of the normals that its position had, the one nearest to
- * its triangle's own.
+ * materials, colours or texture coordinates part. Positions that are the same must be one (mesh_join). Triangles and
+ * positions come into an order in which neighbours follow each other. A corner takes, of the normals that its position
+ * had, the one nearest to its triangle's own.
  * @param error set to the geometric error that meshoptimizer tells, in the mesh's units; 0 where it has no more
  *        triangles as it is
  * @return false with a problem when that many are too few for it, or meshoptimizer is missing; the mesh is then as it

@@ -11,14 +11,15 @@
 #include "glint_extras.h"
 #include "mesh.h"
 #include "quantise.h"
+#include "texture.h"
 
 #include <stdint.h>
 
 /*
  * Lines and tokens of Wavefront's text files, OBJ and MTL, and what is noted of them on the way.
  *
- * A statement is a line; a backslash at its end continues it on the next. `#` begins a comment. Line ends are LF, CRLF
- * or CR.
+ * A statement is a line; a backslash at its end, blanks or not behind it, continues it on the next. `#` begins a
+ * comment. Line ends are LF, CRLF or CR.
  */
 
 /** Bytes of a text, not terminated. */
@@ -40,6 +41,9 @@ bool text_next_token(text_reader *reader, text_token *token);
 
 /** What is left of the line without the blanks around it, comment included: names may hold blanks and `#`. */
 text_token text_rest_of_line(text_reader *reader);
+
+/** Does the same with a name, and leaves out the quotes around it. */
+text_token text_name(text_reader *reader);
 
 /** A copy ended by 0, for the caller to free; bytes of 0 within become '?'. */
 char *text_copy(text_token token);
@@ -87,19 +91,22 @@ void text_notes_write(const text_notes *notes, const char *const texts[], host_w
  * Wavefront OBJ files.
  *
  * Read: `v` (3 coordinates; a weight after them is checked and skipped; a colour, 0 to 1, is kept when all have one),
- * `vn`, `vt` (checked and skipped), and `f` with corners v, v/t, v//n or v/t/n, counting from 1 or, negative, back from
- * the last one read; a corner may refer only to what stands before it. Polygons become triangles. `o` and `g` name
- * the object of the faces after them: both names where both hold, and `o` ends a group. `usemtl` names the material of
- * the faces after it and `mtllib` the files of materials: a name is the rest of its line. Comments, CRLF, lone CR, a
- * backslash at a line's end that continues it, a byte order mark, and a last line without an end are all right.
- * Smoothing groups and settings of other renderers are skipped.
+ * `vn`, `vt` (2 coordinates, or 1; a third is skipped), and `f` with corners v, v/t, v//n or v/t/n, counting from 1 or,
+ * negative, back from the last one read; a corner may refer only to what stands before it. Polygons become triangles.
+ * `o` and `g` name the object of the faces after them: both names where both hold, and `o` ends a group. `usemtl` names
+ * the material of the faces after it and `mtllib` the files of materials: a name is the rest of its line. Comments,
+ * CRLF, lone CR, a backslash at a line's end that continues it, a byte order mark, and a last line without an end are
+ * all right. `s` is the smoothing of the faces after it. Settings of other renderers are skipped.
  *
- * With a warning of each kind, at the first line of it: textures, elements other than faces, and words that are no
- * keywords of the format are skipped with their line; an index left empty after a slash is taken as not given; when a
- * colour is above 1, all are taken as 0 to 255; when only some positions have a colour, none is kept.
+ * With a warning of each kind, at the first line of it: `usemap`, elements other than faces, and words that are no
+ * keywords of the format are skipped with their line, as are faces of fewer than 3 corners; an index left empty after a
+ * slash, or of a texture or a normal that is not there, and a normal that is not three finite numbers, are taken as not
+ * given; a texture coordinate that is no numbers is 0 0; when a colour is above 1, all are taken as 0 to 255; when only
+ * some positions have a colour, none is kept.
  *
- * What cannot be drawn is an error: no faces, indices of what is not there, words where numbers should be, and colours
- * below 0 or above 255. In a file without faces it is the first word that is no keyword, for it is of another kind.
+ * What cannot be drawn is an error: no faces, positions that are not there, words where numbers should be, and colours
+ * below 0 or above 255. A file without faces is called what it is by its first bytes, or by its first word that is no
+ * keyword.
  */
 
 /** Largest coordinate that is read; what Q16.16 holds is far less, but a model may be scaled first. */
@@ -155,6 +162,12 @@ typedef struct obj_materials {
 bool obj_read(const char *text, size_t length, host_mesh *mesh, obj_materials *materials, host_warnings *warnings,
               host_problem *problem);
 
+/**
+ * Finds the place of a name, which is added when it is new and there are fewer than `most`.
+ * @return their count when there is no room for it
+ */
+size_t obj_names_add(obj_names *names, text_token name, size_t line, size_t most);
+
 /** Frees a list of names and makes it empty. */
 void obj_names_free(obj_names *names);
 
@@ -165,9 +178,10 @@ void obj_materials_free(obj_materials *materials);
  * Wavefront MTL files: the materials of an OBJ file.
  *
  * Read: `newmtl`, whose name is the rest of its line; `Ka`, `Kd`, `Ks` and `Ke`, with three numbers or one for all
- * channels; `Ns`; `illum` 0 to 2. With a warning of each kind, at its first line: `illum` 3 to 10 counts as 2, `d`
- * below 1, `Tr` above 0 and `Tf` other than 1 are skipped, as are textures, numbers out of range, what stands before
- * the first `newmtl`, and other words. `Ni`, which says nothing of an opaque surface, and `d 1` are skipped without.
+ * channels; `Ns`; `illum` 0 to 2; `map_Kd` with `-clamp`, `-s` and `-o`. With a warning of each kind, at its first
+ * line: `illum` 3 to 10 counts as 2, `d` below 1, `Tr` above 0 and `Tf` other than 1 are skipped, as are other textures
+ * and other options of `map_Kd`, numbers out of range, what stands before the first `newmtl`, and other words. `Ni`,
+ * which says nothing of an opaque surface, and `d 1` are skipped without.
  */
 
 /** Largest channel of a colour: the library's. */
@@ -185,7 +199,20 @@ enum {
     MTL_AMBIENT = 1,
     MTL_DIFFUSE = 2,
     MTL_SHININESS = 4,
+    MTL_OPACITY = 8,
 };
+
+/** A picture that a material names. */
+typedef struct mtl_texture {
+    char *name;                /**< Of a file of the model's folder, or of a picture within the model; null for none. */
+    size_t line;               /**< That names it. */
+    size_t library;            /**< The file of materials that names it, counted from 1; 0 for the model itself. */
+    size_t picture;            /**< The picture within the model, counted from 1; 0 for a file. */
+    bool clamps;               /**< Whether it does not repeat. */
+    double cutoff;             /**< Texels whose alpha is below this are holes; 0 for none. */
+    double transform[2][3];    /**< From the mesh's u, v, 1 to the picture's. */
+    const glint_texture *made; /**< The picture (textures_load), or null. */
+} mtl_texture;
 
 /** A material as it stands in the file. */
 typedef struct mtl_material {
@@ -195,8 +222,11 @@ typedef struct mtl_material {
     double specular[3]; /**< Ks; 0 when not given. */
     double emission[3]; /**< Ke; 0 when not given. */
     double shininess;   /**< Ns. */
+    double passed;      /**< Part of the light from behind that it lets through: 1 - d, Tr; below 1. */
     int illumination;   /**< illum: 0, 1 or 2, which holds when not given. */
+    bool double_sided;  /**< Drawn from both sides where the surface is open; of glTF. */
     unsigned given;     /**< Bits of the enumeration above. */
+    mtl_texture texture;
 } mtl_material;
 
 /** Owns its materials; zeroed it has none. */
@@ -218,7 +248,7 @@ void mtl_free(mtl_library *library);
  * The materials of a model: from the names in an OBJ file to what its MTL files say, and to the library's own.
  */
 
-/** A file of materials that was read. */
+/** A file beside the model that was read: of materials or, of glTF, a buffer. */
 typedef struct host_library {
     char *path;
     uint64_t hash; /**< FNV-1a, 64 bits, of its bytes. */
@@ -233,7 +263,21 @@ typedef struct host_materials {
     obj_names objects; /**< Names of objects, as obj_materials has them. */
     host_library *libraries;
     size_t library_count, library_capacity;
+    mtl_texture bare;     /**< Of triangles without a material; zeroed there is none. */
+    host_bytes *pictures; /**< Files of pictures within the model. */
+    size_t picture_count, picture_capacity;
+    host_texture **textures; /**< That materials in use have, each once. */
+    size_t texture_count, texture_capacity;
 } host_materials;
+
+/**
+ * Names a material's picture, which repeats, has holes where alpha is below one half, and lies on the mesh as it is.
+ * @param name `length` bytes
+ */
+void mtl_set_texture(mtl_texture *texture, const char *name, size_t length);
+
+/** Says whether a path stays in the folder that it begins in: it is relative, and no part of it is `..`. */
+bool path_is_inside(const char *path);
 
 /**
  * Reads the MTL files that a model names, from its folder, and gives its triangles the materials that these define:
@@ -257,6 +301,27 @@ void materials_name(obj_materials *named, host_mesh *mesh, host_materials *mater
 /** The material of a number; null for 0. */
 const mtl_material *materials_find(const host_materials *materials, uint32_t number);
 
+/**
+ * Makes the textures of the materials in use, and takes the mesh's coordinates to them. What cannot be read is warned
+ * of. Corners of triangles without a texture lose their coordinates.
+ * @param model its path
+ * @param chosen a picture that all materials have in place of their own, by its path as it stands; or null. What has no
+ * material then gets one.
+ * @param warnings of the model; those of a file of materials get its own
+ * @return false with a problem when the chosen picture cannot be drawn
+ */
+bool textures_load(const char *model, const char *chosen, const texture_options *options, host_mesh *mesh,
+                   host_materials *materials, host_warnings *warnings, host_problem *problem);
+
+/** Bytes of flash that all textures take. */
+size_t textures_size(const host_materials *materials);
+
+/** Prints a line for each texture: its size, type, bytes, and ratio of peak signal to noise in decibels. */
+void textures_print(const host_materials *materials);
+
+/** Frees what textures_load made. */
+void textures_free(host_materials *materials);
+
 /** Prints the warnings of the MTL files, a line each. */
 void materials_print_warnings(const host_materials *materials);
 
@@ -271,6 +336,14 @@ void materials_free(host_materials *materials);
 /** Most sizes of a shape. */
 #define SHAPE_SIZES_MAX 3
 
+/** How a picture lies on a shape. */
+typedef enum shape_wrap {
+    SHAPE_FLAT,  /**< On each side, seen from outside with y up; seen from the y axis, with z down or up. */
+    SHAPE_ROUND, /**< Once round z from +x on, and from top to bottom; on caps flat. */
+    SHAPE_SPHERE,
+    SHAPE_TORUS /**< Likewise once round the tube, its middle outside. */
+} shape_wrap;
+
 /** What can be generated. */
 typedef struct host_shape {
     const char *name;    /**< What stands before the first colon. */
@@ -278,6 +351,7 @@ typedef struct host_shape {
     const char *help;    /**< What counts and sizes mean, in a few words. */
     uint32_t least[2];   /**< Smallest value of each count; 0 when the shape has none. */
     uint32_t size_count; /**< How many sizes it has. */
+    shape_wrap wrap;
     double sizes[SHAPE_SIZES_MAX];
     /** Calls the generator; what it returns is the library's. */
     glint_status (*generate)(glint_mesh *mesh, const glint_mesh_room *room, const uint32_t counts[2],
@@ -289,6 +363,10 @@ extern const host_shape host_shapes[];
 
 /** The shape that a model's name begins with, or null when it is a file's name. */
 const host_shape *shape_find(const char *name);
+
+/** Adds to what is wrong with a file, whose name may have been meant as a shape's, which shapes there are. @return
+ * false */
+bool shape_offer(host_problem *problem);
 
 /**
  * Generates the mesh of a name that shape_find knows, and reads it back.
@@ -318,11 +396,11 @@ typedef struct child_limits {
 bool child_run(char *const arguments[], const child_limits *limits, host_bytes *out, host_problem *problem);
 
 /*
- * Models in other formats than OBJ, by the program glint-import (port/host/import), which is there where libassimp-dev
- * was when `make` ran. It runs under limits, and what it prints is read as any OBJ file is. Takes POSIX.
+ * Models in formats that nothing here reads, by the program glint-import (port/host/import), which is there where
+ * libassimp-dev was when `make` ran. It runs under limits, and what it prints is read as any OBJ file is. Takes POSIX.
  */
 
-/** Whether a file's name has an ending, and that is not .obj, in letters of either case. */
+/** Says whether a file's name has an ending, and that is not .obj, in letters of either case. */
 bool importer_takes(const char *name);
 
 /**
@@ -336,12 +414,27 @@ bool importer_takes(const char *name);
 bool importer_load(const char *name, const child_limits *limits, host_mesh *mesh, host_materials *materials,
                    host_warnings *warnings, host_problem *problem);
 
+/* ---- Models in other formats that this program reads itself: STL, PLY, OFF, glTF and GLB (reader.h) ---- */
+
+/** Says whether a file's name ends as those of these formats do, in letters of either case. */
+bool reader_takes(const char *name);
+
+/**
+ * Reads a model. Positions that are the same, and have the same colour, become one.
+ * @param name that reader_takes; files that glTF names are looked for in its folder
+ * @param mesh set up, whatever it held before; the caller frees it with mesh_free
+ * @param materials set, whatever it held before; the caller frees it with materials_free
+ * @param warnings set
+ * @return false with a problem; nothing is then to be freed
+ */
+bool reader_load(const char *name, const host_bytes *file, host_mesh *mesh, host_materials *materials,
+                 host_warnings *warnings, host_problem *problem);
+
 /* ---- A model by its name on the command line: a file or a generated shape ---- */
 
 /** What becomes of a model when it is loaded. */
 typedef struct load_options {
-    double crease; /**< As for mesh_average_normals. */
-    mesh_weights weights;
+    mesh_normal_rule normals;
     bool facets;          /**< Facet normals in place of averages. */
     bool repair;          /**< Turn triangles that are wound the wrong way. */
     quantise_types types; /**< How the mesh is stored. */
@@ -350,6 +443,8 @@ typedef struct load_options {
     double weld;          /**< Distance within which positions become one; below 0 for not at all. */
     size_t simplify;      /**< Most triangles; 0 for as many as there are. */
     child_limits import;  /**< For what reads other formats than OBJ. */
+    texture_options texture;
+    const char *picture; /**< In place of the textures that the model names, or null. */
 } load_options;
 
 /** The triangles of one object that have one material. */

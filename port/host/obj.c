@@ -20,14 +20,20 @@ enum {
     KIND_ELEMENT,
     KIND_EMPTY_INDEX,
     KIND_BYTE_COLOURS,
-    KIND_NO_COLOUR
+    KIND_NO_COLOUR,
+    KIND_SMOOTHING,
+    KIND_NO_TEXTURE,
+    KIND_TEXTURE_INDEX,
+    KIND_NO_NORMAL,
+    KIND_NORMAL_INDEX,
+    KIND_FEW_CORNERS,
+    KIND_ZBRUSH
 };
 
 typedef struct obj_reader {
     text_reader text;
     host_mesh *mesh;
     obj_materials *materials;
-    size_t texture_count;
     double farthest;      /* largest coordinate so far */
     double (*colours)[3]; /* as read */
     size_t colour_count, colour_capacity;
@@ -46,12 +52,19 @@ static const text_token position_word = {"v", 1};
 static const char *const note_texts[] = {
     [TEXT_WORD] = "is skipped: it is not an OBJ keyword",
     [TEXT_MORE_WORDS] = "is skipped, as are more words that are not OBJ keywords",
-    [KIND_TEXTURE] = "is skipped: textures are not drawn",
+    [KIND_TEXTURE] = "is skipped: of textures only map_Kd is drawn",
     [KIND_LIBRARIES] = "is skipped: no more than 64 files of materials are read",
     [KIND_ELEMENT] = "is skipped: only faces are drawn",
     [KIND_EMPTY_INDEX] = "has an empty index: taken as not given",
     [KIND_BYTE_COLOURS] = "has a colour above 1: all colours are taken as 0 to 255",
     [KIND_NO_COLOUR] = "has no colour, as others have: no colour is kept",
+    [KIND_NO_TEXTURE] = "does not have 1 to 3 finite numbers: taken as 0 0",
+    [KIND_TEXTURE_INDEX] = "has a texture index that is none before it: taken as not given",
+    [KIND_NO_NORMAL] = "does not have 3 finite numbers: taken as not given",
+    [KIND_NORMAL_INDEX] = "has a normal index that is none before it: taken as not given",
+    [KIND_FEW_CORNERS] = "is skipped: it has fewer than 3 corners",
+    [KIND_ZBRUSH] = "is skipped: colours in ZBrush's comments are not read",
+    [KIND_SMOOTHING] = "is skipped: a smoothing group is a number or off",
 };
 
 static void note(obj_reader *reader, int kind, text_token word) {
@@ -71,8 +84,10 @@ static int read_numbers(obj_reader *reader, double values[8]) {
             return -1;
         }
         if (!number_real(token.start, token.length, &values[count])) {
-            problem_set(reader->problem, reader->text.line, "'%s' is not a finite number",
-                        problem_quote(quote, token.start, token.length));
+            problem_set(reader->problem, reader->text.line, "'%s' is not a finite number%s",
+                        problem_quote(quote, token.start, token.length),
+                        memchr(token.start, ',', token.length) != NULL ? ": it takes a point in place of the comma"
+                                                                       : "");
             return -1;
         }
         count++;
@@ -164,45 +179,68 @@ static bool read_position(obj_reader *reader) {
     return true;
 }
 
-static bool read_normal(obj_reader *reader) {
-    double values[8];
-    const int count = read_numbers(reader, values);
-    if (count >= 0 && count != 3) {
-        return problem_set(reader->problem, reader->text.line, "vn takes 3 numbers, here are %d", count);
+/** Reads what is left of a statement that can be done without. @return how many numbers, or -1 when one is none */
+static int read_optional(obj_reader *reader, double values[3]) {
+    text_token token;
+    int count = 0;
+    while (text_next_token(&reader->text, &token)) {
+        if (count == 3 || !number_real(token.start, token.length, &values[count])) {
+            return -1;
+        }
+        count++;
     }
-    if (count < 0 || !has_room(reader, reader->mesh->normal_count)) {
+    return count;
+}
+
+/** Reads a normal. One that is none has length 0, as a normal that is not given. */
+static bool read_normal(obj_reader *reader) {
+    static const text_token word = {"vn", 2};
+    double values[3];
+    const bool ok = read_optional(reader, values) == 3;
+    if (!has_room(reader, reader->mesh->normal_count)) {
         return false;
     }
-    mesh_add_normal(reader->mesh, values[0], values[1], values[2]);
+    if (ok) {
+        mesh_add_normal(reader->mesh, values[0], values[1], values[2]);
+    } else {
+        note(reader, KIND_NO_NORMAL, word);
+        mesh_add_normal(reader->mesh, 0, 0, 0);
+    }
     return true;
 }
 
 static bool read_texture(obj_reader *reader) {
-    double values[8];
-    const int count = read_numbers(reader, values);
-    if (count >= 0 && (count < 1 || count > 3)) {
-        return problem_set(reader->problem, reader->text.line, "vt takes 1 to 3 numbers, here are %d", count);
+    static const text_token word = {"vt", 2};
+    double values[3] = {0, 0, 0};
+    const int count = read_optional(reader, values);
+    if (!has_room(reader, reader->mesh->texture_count)) {
+        return false;
     }
-    reader->texture_count++;
-    return count >= 0;
+    if (count < 1) {
+        note(reader, KIND_NO_TEXTURE, word);
+    }
+    /* v counts from the bottom here. */
+    mesh_add_texture(reader->mesh, count < 1 ? 0 : values[0], 1 - (count < 2 ? 0 : values[1]));
+    return true;
 }
 
 /* ---- Faces ------------------------------------------------------------------------------------------------------ */
 
-/** Reads one index of a corner. @return false with a problem when it does not refer to one of `count` items */
-static bool read_index(obj_reader *reader, text_token part, const char *what, size_t count, uint32_t *index) {
-    int64_t number;
+/** Reads one index of a corner. @return false with a problem when it is no number */
+static bool read_index(obj_reader *reader, text_token part, const char *what, int64_t *number) {
     char quote[PROBLEM_QUOTE_SIZE];
-    problem_quote(quote, part.start, part.length);
-    if (!number_integer(part.start, part.length, &number)) {
-        return problem_set(reader->problem, reader->text.line, "'%s' is not a %s index", quote, what);
+    return number_integer(part.start, part.length, number) ||
+           problem_set(reader->problem, reader->text.line, "'%s' is not a %s index",
+                       problem_quote(quote, part.start, part.length), what);
+}
+
+/** Finds the place of an index, from 1 or back from the last, among `count` items. @return false when it has none */
+static bool find_place(int64_t number, size_t count, uint32_t *place) {
+    const int64_t found = number < 0 ? (int64_t)count + number : number - 1;
+    if (number == 0 || found < 0 || found >= (int64_t)count) {
+        return false;
     }
-    const int64_t place = number < 0 ? (int64_t)count + number : number - 1;
-    if (number == 0 || place < 0 || place >= (int64_t)count) {
-        return problem_set(reader->problem, reader->text.line, "%s index %s is out of range: %zu so far", what, quote,
-                           count);
-    }
-    *index = (uint32_t)place;
+    *place = (uint32_t)found;
     return true;
 }
 
@@ -231,11 +269,52 @@ static bool is_zero_normal(const double normal[3]) {
     return !(fabs(normal[0]) > 0 || fabs(normal[1]) > 0 || fabs(normal[2]) > 0);
 }
 
+static bool read_position_index(obj_reader *reader, text_token part, uint32_t *position) {
+    const size_t count = reader->mesh->position_count;
+    int64_t number;
+    if (!read_index(reader, part, "position", &number)) {
+        return false;
+    }
+    if (!find_place(number, count, position)) {
+        char quote[PROBLEM_QUOTE_SIZE];
+        return problem_set(reader->problem, reader->text.line, "position index %s is out of range: %zu so far",
+                           problem_quote(quote, part.start, part.length), count);
+    }
+    return true;
+}
+
+static bool read_texture_index(obj_reader *reader, text_token token, text_token part, uint32_t *texture) {
+    int64_t number;
+    uint32_t place;
+    if (!read_index(reader, part, "texture", &number)) {
+        return false;
+    }
+    if (find_place(number, reader->mesh->texture_count, &place)) {
+        *texture = place + 1;
+    } else {
+        note(reader, KIND_TEXTURE_INDEX, token);
+    }
+    return true;
+}
+
+static bool read_normal_index(obj_reader *reader, text_token token, text_token part, uint32_t *normal) {
+    int64_t number;
+    if (!read_index(reader, part, "normal", &number)) {
+        return false;
+    }
+    if (!find_place(number, reader->mesh->normal_count, normal)) {
+        note(reader, KIND_NORMAL_INDEX, token);
+    } else if (is_zero_normal(reader->mesh->normals[*normal])) {
+        *normal = MESH_NO_NORMAL;
+    }
+    return true;
+}
+
 static bool read_corner(obj_reader *reader, text_token token, mesh_corner *corner) {
     text_token parts[3];
     const int count = split_corner(token, parts);
-    uint32_t texture;
     corner->normal = MESH_NO_NORMAL;
+    corner->texture = 0;
     if (count > 3) {
         char quote[PROBLEM_QUOTE_SIZE];
         problem_quote(quote, token.start, token.length);
@@ -243,21 +322,19 @@ static bool read_corner(obj_reader *reader, text_token token, mesh_corner *corne
     }
     const bool has_texture = count >= 2 && parts[1].length > 0;
     const bool has_normal = count == 3 && parts[2].length > 0;
-    if (!read_index(reader, parts[0], "position", reader->mesh->position_count, &corner->position) ||
-        (has_texture && !read_index(reader, parts[1], "texture", reader->texture_count, &texture)) ||
-        (has_normal && !read_index(reader, parts[2], "normal", reader->mesh->normal_count, &corner->normal))) {
+    if (!read_position_index(reader, parts[0], &corner->position) ||
+        (has_texture && !read_texture_index(reader, token, parts[1], &corner->texture)) ||
+        (has_normal && !read_normal_index(reader, token, parts[2], &corner->normal))) {
         return false;
     }
     if (parts[count - 1].length == 0) { /* v//n leaves out the texture as it should */
         note(reader, KIND_EMPTY_INDEX, token);
     }
-    if (has_normal && is_zero_normal(reader->mesh->normals[corner->normal])) {
-        corner->normal = MESH_NO_NORMAL;
-    }
     return true;
 }
 
 static bool read_face(obj_reader *reader) {
+    static const text_token word = {"f", 1};
     text_token token;
     reader->face_count = 0;
     while (text_next_token(&reader->text, &token)) {
@@ -271,8 +348,8 @@ static bool read_face(obj_reader *reader) {
         reader->face_count++;
     }
     if (reader->face_count < 3) {
-        return problem_set(reader->problem, reader->text.line, "a face takes 3 or more corners, here are %zu",
-                           reader->face_count);
+        note(reader, KIND_FEW_CORNERS, word);
+        return true;
     }
     if (!has_room(reader, reader->mesh->triangle_count + reader->face_count - 3)) {
         return false;
@@ -283,10 +360,25 @@ static bool read_face(obj_reader *reader) {
                        "faces that are not convex have too many corners: make them triangles first");
 }
 
+/** Reads the smoothing group of the faces after it: a number, of which 0 is off. */
+static bool read_smoothing(obj_reader *reader) {
+    static const text_token word = {"s", 1};
+    text_token token = {word.start, 0};
+    int64_t group = 0;
+    const bool given = text_next_token(&reader->text, &token);
+    if (given && text_token_is(token, "off")) {
+        reader->mesh->smooth = MESH_FACETED;
+    } else if (given && number_integer(token.start, token.length, &group) && group >= 0 && group < UINT32_MAX) {
+        reader->mesh->smooth = (uint32_t)(group + MESH_FACETED);
+    } else {
+        note(reader, KIND_SMOOTHING, word);
+    }
+    return true;
+}
+
 /* ---- Names ------------------------------------------------------------------------------------------------------ */
 
-/** The place of a name, added when it is new and there are fewer than `most`; else their count. */
-static size_t find_name(obj_names *names, text_token name, size_t line, size_t most) {
+size_t obj_names_add(obj_names *names, text_token name, size_t line, size_t most) {
     char *text = text_copy(name);
     size_t slot = bytes_hash(text, name.length) % OBJ_NAME_SLOTS;
     while (names->slots[slot] != 0 && strcmp(names->list[names->slots[slot] - 1].text, text) != 0) {
@@ -304,8 +396,8 @@ static size_t find_name(obj_names *names, text_token name, size_t line, size_t m
 
 static bool read_material(obj_reader *reader) {
     obj_names *used = &reader->materials->used;
-    const text_token name = text_rest_of_line(&reader->text);
-    const size_t place = find_name(used, name, reader->text.line, OBJ_MATERIALS_MAX);
+    const text_token name = text_name(&reader->text);
+    const size_t place = obj_names_add(used, name, reader->text.line, OBJ_MATERIALS_MAX);
     reader->mesh->material = (uint32_t)place + 1;
     return place < used->count ||
            problem_set(reader->problem, reader->text.line, "more than %d materials", OBJ_MATERIALS_MAX);
@@ -314,8 +406,8 @@ static bool read_material(obj_reader *reader) {
 static bool read_library(obj_reader *reader) {
     static const text_token word = {"mtllib", 6};
     obj_names *libraries = &reader->materials->libraries;
-    const text_token name = text_rest_of_line(&reader->text);
-    if (find_name(libraries, name, reader->text.line, OBJ_LIBRARIES_MAX) == libraries->count) {
+    const text_token name = text_name(&reader->text);
+    if (obj_names_add(libraries, name, reader->text.line, OBJ_LIBRARIES_MAX) == libraries->count) {
         note(reader, KIND_LIBRARIES, word);
     }
     return true;
@@ -331,7 +423,7 @@ static bool choose_object(obj_reader *reader) {
     memcpy(both + o.length, " ", gap);
     memcpy(both + o.length + gap, g.start, g.length);
     const text_token name = {both, o.length + gap + g.length};
-    const size_t place = find_name(&reader->materials->objects, name, reader->text.line, OBJ_OBJECTS_MAX);
+    const size_t place = obj_names_add(&reader->materials->objects, name, reader->text.line, OBJ_OBJECTS_MAX);
     free(both);
     reader->mesh->object = (uint32_t)place + 1;
     reader->mesh->group_count++;
@@ -369,8 +461,8 @@ static const struct obj_statement {
     const char *keyword;
     bool (*read)(obj_reader *reader);
 } statements[] = {
-    {"v", read_position}, {"vn", read_normal}, {"vt", read_texture},      {"f", read_face},
-    {"g", read_group},    {"o", read_object},  {"usemtl", read_material}, {"mtllib", read_library},
+    {"v", read_position}, {"vn", read_normal},       {"vt", read_texture},     {"f", read_face},      {"g", read_group},
+    {"o", read_object},   {"usemtl", read_material}, {"mtllib", read_library}, {"s", read_smoothing}, {"fo", read_face},
 };
 
 /** The format's other keywords (Wavefront, Advanced Visualizer manual, appendix B1), old ones included. */
@@ -378,15 +470,15 @@ static const struct obj_skipped {
     const char *keyword;
     int kind;
 } skipped[] = {
-    {"usemap", KIND_TEXTURE}, {"maplib", KIND_TEXTURE}, {"p", KIND_ELEMENT},     {"l", KIND_ELEMENT},
-    {"curv", KIND_ELEMENT},   {"curv2", KIND_ELEMENT},  {"surf", KIND_ELEMENT},  {"bsp", KIND_ELEMENT},
-    {"bzp", KIND_ELEMENT},    {"cdc", KIND_ELEMENT},    {"cdp", KIND_ELEMENT},   {"call", KIND_ELEMENT},
-    {"csh", KIND_ELEMENT},    {"vp", KIND_NONE},        {"deg", KIND_NONE},      {"bmat", KIND_NONE},
-    {"step", KIND_NONE},      {"cstype", KIND_NONE},    {"parm", KIND_NONE},     {"trim", KIND_NONE},
-    {"hole", KIND_NONE},      {"scrv", KIND_NONE},      {"sp", KIND_NONE},       {"end", KIND_NONE},
-    {"con", KIND_NONE},       {"s", KIND_NONE},         {"mg", KIND_NONE},       {"bevel", KIND_NONE},
-    {"lod", KIND_NONE},       {"ctech", KIND_NONE},     {"stech", KIND_NONE},    {"shadow_obj", KIND_NONE},
-    {"trace_obj", KIND_NONE}, {"c_interp", KIND_NONE},  {"d_interp", KIND_NONE}, {"res", KIND_NONE},
+    {"usemap", KIND_TEXTURE}, {"maplib", KIND_TEXTURE}, {"p", KIND_ELEMENT},       {"l", KIND_ELEMENT},
+    {"curv", KIND_ELEMENT},   {"curv2", KIND_ELEMENT},  {"surf", KIND_ELEMENT},    {"bsp", KIND_ELEMENT},
+    {"bzp", KIND_ELEMENT},    {"cdc", KIND_ELEMENT},    {"cdp", KIND_ELEMENT},     {"call", KIND_ELEMENT},
+    {"csh", KIND_ELEMENT},    {"vp", KIND_NONE},        {"deg", KIND_NONE},        {"bmat", KIND_NONE},
+    {"step", KIND_NONE},      {"cstype", KIND_NONE},    {"parm", KIND_NONE},       {"trim", KIND_NONE},
+    {"hole", KIND_NONE},      {"scrv", KIND_NONE},      {"sp", KIND_NONE},         {"end", KIND_NONE},
+    {"con", KIND_NONE},       {"mg", KIND_NONE},        {"bevel", KIND_NONE},      {"lod", KIND_NONE},
+    {"ctech", KIND_NONE},     {"stech", KIND_NONE},     {"shadow_obj", KIND_NONE}, {"trace_obj", KIND_NONE},
+    {"c_interp", KIND_NONE},  {"d_interp", KIND_NONE},  {"res", KIND_NONE},
 };
 
 /** What a keyword that is not read comes to. */
@@ -400,8 +492,13 @@ static int kind_of(text_token keyword) {
 }
 
 static bool read_statement(obj_reader *reader) {
+    static const text_token zbrush = {"#MRGB", 5};
     text_token keyword;
     if (!text_next_token(&reader->text, &keyword)) {
+        if ((size_t)(reader->text.end - keyword.start) > zbrush.length &&
+            memcmp(keyword.start, zbrush.start, zbrush.length) == 0) {
+            note(reader, KIND_ZBRUSH, zbrush);
+        }
         return true;
     }
     for (size_t i = 0; i < sizeof statements / sizeof statements[0]; i++) {
@@ -416,8 +513,52 @@ static bool read_statement(obj_reader *reader) {
     return true;
 }
 
-/** Says that there are no faces; by the first word that is no keyword, when there is one. @return false */
-static bool refuse_without_faces(const obj_reader *reader) {
+/** Returns what a file is that begins like this and is no OBJ file, or null. */
+static const char *name_other_format(const char *start, size_t length) {
+    static const struct {
+        const char *bytes;
+        size_t size;
+        const char *name;
+    } formats[] = {
+        {"\xFF\xFE", 2, "text in UTF-16: save it as UTF-8 or ASCII"},
+        {"\xFE\xFF", 2, "text in UTF-16: save it as UTF-8 or ASCII"},
+        {"PK\x03\x04", 4, "a ZIP archive: unpack it first"},
+        {"\x1F\x8B", 2, "compressed by gzip: unpack it first"},
+        {"glTF", 4, "binary glTF: name it .glb"},
+        {"{", 1, "JSON: name it .gltf if it is glTF"},
+        {"ply", 3, "PLY: name it .ply"},
+        {"solid", 5, "STL: name it .stl"},
+        {"OFF", 3, "OFF: name it .off"},
+        {"Kaydara FBX", 11, "FBX: name it .fbx"},
+        {"<?xml", 5, "XML: name it .dae if it is Collada"},
+        {"<!DOCTYPE", 9, "a web page: download the file itself"},
+        {"<html", 5, "a web page: download the file itself"},
+        {"version https://git-lfs", 23, "a pointer of Git LFS: run git lfs pull"},
+        {"\x64\x86", 2, "a compiler's object file"},
+        {"\x7F"
+         "ELF",
+         4, "a compiler's object file"},
+        {"\x89PNG", 4, "a picture"},
+    };
+    for (size_t i = 0; i < sizeof formats / sizeof formats[0]; i++) {
+        if (length >= formats[i].size && memcmp(start, formats[i].bytes, formats[i].size) == 0) {
+            return formats[i].name;
+        }
+    }
+    return NULL;
+}
+
+/** Says that there are no faces: by what the file is instead, by the first word that is no keyword, when there is one.
+ * @return false */
+static bool refuse_without_faces(obj_reader *reader, const char *start) {
+    const char *other = name_other_format(start, (size_t)(reader->text.end - start));
+    if (other != NULL) {
+        return problem_set(reader->problem, 1, "is not an OBJ file: it is %s", other);
+    }
+    const text_note *few = text_find_note(&reader->notes, KIND_FEW_CORNERS, position_word);
+    if (few != NULL) {
+        return problem_set(reader->problem, few->line, "no face has 3 or more corners");
+    }
     for (size_t i = 0; i < reader->notes.count; i++) {
         const text_note *notice = &reader->notes.list[i];
         if (notice->kind == TEXT_WORD) {
@@ -444,7 +585,7 @@ bool obj_read(const char *text, size_t length, host_mesh *mesh, obj_materials *m
             text_skip_statement(&reader.text);
         }
     }
-    ok = ok && (mesh->triangle_count > 0 || refuse_without_faces(&reader));
+    ok = ok && (mesh->triangle_count > 0 || refuse_without_faces(&reader, text));
     if (ok) {
         keep_colours(&reader);
         text_notes_write(&reader.notes, note_texts, warnings);

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file png.h
- * PNG pictures (ISO/IEC 15948), 8 bits a channel, and their animations (APNG, PNG third edition).
+ * PNG pictures (ISO/IEC 15948): those of 8 bits a channel and their animations (APNG, PNG third edition) are written,
+ * all but interlaced ones are read.
  */
 #ifndef GLINT_HOST_PNG_H
 #define GLINT_HOST_PNG_H
@@ -29,5 +30,26 @@ void png_encode_movie(host_bytes *out, const png_movie *movie, uint32_t width, u
 
 /** Appends bytes as a zlib stream (RFC 1950). */
 void zlib_encode(host_bytes *out, const uint8_t *data, size_t count);
+
+/** Unpacks a zlib stream of any bytes. @return false unless it is whole and gives `size` bytes, no fewer and no more */
+bool zlib_decode(const uint8_t *data, size_t count, uint8_t *out, size_t size);
+
+/** The sum that ends a zlib stream: Adler-32. */
+uint32_t zlib_sum(const uint8_t *data, size_t count);
+
+/** Longest side of a picture that is read: a file of some KB can ask for gigabytes. */
+#define PICTURE_SIDE_MAX 4096u
+
+/** A picture in memory, 8 bits a channel. */
+typedef struct host_picture {
+    uint8_t (*pixels)[4]; /**< Red, green, blue, alpha: rows from top to bottom. The owner frees them. */
+    uint32_t width, height;
+} host_picture;
+
+/**
+ * Reads a PNG file of any bytes. CRCs are not compared: the sum of the zlib stream tells of damaged pixels.
+ * @return false with a problem of line 0; nothing is then to be freed
+ */
+bool png_decode(const uint8_t *data, size_t count, host_picture *picture, host_problem *problem);
 
 #endif

@@ -69,11 +69,30 @@ static int is_convex(const flat_point *points, size_t count) {
     return 1;
 }
 
+/** Says whether a polygon goes on nearly straight at a corner: within a millionth of the longer of its edges there. */
+static int is_straight(const flat_point *points, size_t count, size_t at) {
+    const flat_point a = points[(at + count - 1) % count];
+    const flat_point b = points[at % count];
+    const flat_point c = points[(at + 1) % count];
+    const double first = (b.x - a.x) * (b.x - a.x) + (b.y - a.y) * (b.y - a.y);
+    const double second = (c.x - b.x) * (c.x - b.x) + (c.y - b.y) * (c.y - b.y);
+    return !(turn(a, b, c) > 1e-6 * fmax(first, second));
+}
+
+/** Finds the first corner from which a fan has no triangle without area, beside which pixels would gape; or `count`. */
+static size_t find_hub(const flat_point *points, size_t count) {
+    size_t hub = 0;
+    while (hub < count && (is_straight(points, count, hub + 1) || is_straight(points, count, hub + count - 1))) {
+        hub++;
+    }
+    return hub;
+}
+
 static int same_point(flat_point a, flat_point b) {
     return !(a.x < b.x || a.x > b.x || a.y < b.y || a.y > b.y);
 }
 
-/** Whether the corner at place `at` can be cut off: it turns left, and no other corner lies in its triangle. */
+/** Says whether the corner at place `at` can be cut off: it turns left, and no other corner lies in its triangle. */
 static int is_ear(const polygon_ring *ring, size_t at) {
     const flat_point a = ring->points[ring->left[(at + ring->count - 1) % ring->count]];
     const flat_point b = ring->points[ring->left[at]];
@@ -120,15 +139,15 @@ static void clip_ears(host_mesh *mesh, polygon_ring *ring) {
 
 bool mesh_add_polygon(host_mesh *mesh, const mesh_corner *corners, size_t count) {
     flat_point *points = NULL;
-    int fan = count == 3 || count > EAR_CORNERS_MAX;
-    if (!fan) {
+    size_t hub = 0;
+    if (count > 3 && count <= EAR_CORNERS_MAX) {
         points = memory_new(count, sizeof *points);
         flatten(mesh, corners, count, points);
-        fan = is_convex(points, count);
+        hub = is_convex(points, count) ? find_hub(points, count) : count;
     }
-    if (fan) {
+    if (hub < count) {
         for (size_t i = 1; i + 1 < count; i++) {
-            mesh_add_triangle(mesh, corners[0], corners[i], corners[i + 1]);
+            mesh_add_triangle(mesh, corners[hub], corners[(hub + i) % count], corners[(hub + i + 1) % count]);
         }
     } else {
         polygon_ring ring = {corners, points, memory_new(count, sizeof *ring.left), count};

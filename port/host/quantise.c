@@ -11,21 +11,28 @@
 #define VERTICES_MAX 65536u
 
 /** What makes vertices different. */
-#define VALUES 9
+#define VALUES 11
 
 const char *const quantise_position_names[] = {"int16", "int8", NULL};
 const char *const quantise_normal_names[] = {"int16", "octahedral", "octahedral16", NULL};
 const char *const quantise_index_names[] = {"16", "8", "auto", NULL};
 
+/** Texture coordinates of a material's triangles: none where the first of its ends is above the last. */
+typedef struct texture_range {
+    double low[2], high[2];
+    double offset[2], extent[2]; /* as Q16.16 holds them */
+} texture_range;
+
 typedef struct mesh_quantiser {
     const host_mesh *mesh;
     quantise_types types;
     double offset[3], extent[3];
+    texture_range *textures; /* of each material */
 } mesh_quantiser;
 
 /** A vertex of a piece, and where its corner stood in the mesh. */
 typedef struct piece_vertex {
-    int16_t values[VALUES]; /* position steps, normal, colour */
+    int16_t values[VALUES]; /* position steps, normal, colour, texture steps */
     mesh_corner corner;
     uint32_t number, slot; /* in order of first use; where it is found */
 } piece_vertex;
@@ -51,16 +58,41 @@ static double last_step(const mesh_quantiser *quantiser) {
     return step_size(quantiser) > 1 ? 127.0 * 256.0 : 32767.0;
 }
 
-/** Offset in the middle and an extent that reaches both ends, both as Q16.16 holds them. */
-static void choose_range(mesh_quantiser *quantiser, int axis, double low, double high, glint_mesh *frame) {
-    const glint_q16 offset = number_q16(low / 2 + high / 2);
-    quantiser->offset[axis] = number_from_q16(offset);
-    const double reach = fmax(high - quantiser->offset[axis], quantiser->offset[axis] - low);
+/** Offset in the middle and an extent by which the last step reaches both ends, both as Q16.16 holds them. */
+static void choose_range(double low, double high, double last, double *offset, double *extent) {
+    *offset = number_from_q16(number_q16(low / 2 + high / 2));
+    const double reach = fmax(high - *offset, *offset - low);
     /* Rounded up, so that the end lies on the last step or below it; exact for what was quantised before. */
-    const glint_q16 extent = (glint_q16)ceil(reach * (32768.0 * 65536.0) / last_step(quantiser));
-    quantiser->extent[axis] = number_from_q16(extent);
-    *(axis == 0 ? &frame->offset.x : axis == 1 ? &frame->offset.y : &frame->offset.z) = offset;
-    *(axis == 0 ? &frame->extent.x : axis == 1 ? &frame->extent.y : &frame->extent.z) = extent;
+    *extent = number_from_q16((glint_q16)ceil(reach * (32768.0 * 65536.0) / last));
+}
+
+/** Chooses the range of texture coordinates of each material; the caller frees them. */
+static texture_range *choose_textures(const host_mesh *mesh) {
+    uint32_t most = 0;
+    for (size_t i = 0; i < mesh->triangle_count; i++) {
+        most = mesh->materials[i] > most ? mesh->materials[i] : most;
+    }
+    texture_range *ranges = memory_new((size_t)most + 1, sizeof *ranges);
+    for (size_t i = 0; i <= most; i++) {
+        ranges[i] = (texture_range){{HUGE_VAL, HUGE_VAL}, {-HUGE_VAL, -HUGE_VAL}, {0, 0}, {0, 0}};
+    }
+    for (size_t i = 0; i < 3 * mesh->triangle_count; i++) {
+        texture_range *range = &ranges[mesh->materials[i / 3]];
+        const uint32_t texture = mesh->triangles[i / 3][i % 3].texture;
+        for (int axis = 0; texture > 0 && axis < 2; axis++) {
+            const double at = mesh->textures[texture - 1][axis];
+            const double held = fmax(-QUANTISE_TEXTURE_MAX, fmin(QUANTISE_TEXTURE_MAX, at));
+            range->low[axis] = fmin(range->low[axis], held);
+            range->high[axis] = fmax(range->high[axis], held);
+        }
+    }
+    for (size_t i = 0; i <= most; i++) {
+        for (int axis = 0; ranges[i].low[0] <= ranges[i].high[0] && axis < 2; axis++) {
+            choose_range(ranges[i].low[axis], ranges[i].high[axis], 32767, &ranges[i].offset[axis],
+                         &ranges[i].extent[axis]);
+        }
+    }
+    return ranges;
 }
 
 /* ---- Octahedra (Meyer et al., 2010; Cigolle et al., 2014) ------------------------------------------------------- */
@@ -128,8 +160,18 @@ static int16_t clamp_step(long step) {
     return (int16_t)(step > 32767 ? 32767 : step < -32767 ? -32767 : step);
 }
 
-static void quantise_corner(const mesh_quantiser *quantiser, mesh_corner corner, int16_t values[VALUES]) {
+static void quantise_corner(const mesh_quantiser *quantiser, uint32_t material, mesh_corner corner,
+                            int16_t values[VALUES]) {
     const int size = step_size(quantiser);
+    const texture_range *range = &quantiser->textures[material];
+    for (int axis = 0; axis < 2; axis++) {
+        const double at = corner.texture > 0 ? quantiser->mesh->textures[corner.texture - 1][axis] : 0;
+        const double held = fmax(range->low[axis], fmin(range->high[axis], at));
+        values[9 + axis] =
+            (int16_t)(range->extent[axis] > 0
+                          ? clamp_step(lround((held - range->offset[axis]) / range->extent[axis] * 32768.0))
+                          : 0);
+    }
     for (int axis = 0; axis < 3; axis++) {
         const double extent = quantiser->extent[axis];
         const double distance = quantiser->mesh->positions[corner.position][axis] - quantiser->offset[axis];
@@ -183,7 +225,10 @@ static int compare_vertices(const void *left, const void *right) {
     if (a->corner.position != b->corner.position) {
         return a->corner.position < b->corner.position ? -1 : 1;
     }
-    return (a->corner.normal > b->corner.normal) - (a->corner.normal < b->corner.normal);
+    if (a->corner.normal != b->corner.normal) {
+        return a->corner.normal < b->corner.normal ? -1 : 1;
+    }
+    return (a->corner.texture > b->corner.texture) - (a->corner.texture < b->corner.texture);
 }
 
 /** Puts vertices into the order of the mesh and renumbers the triangles. */
@@ -209,8 +254,26 @@ static const uint8_t (*piece_colours(const mesh_piece *piece))[3] {
     return (const uint8_t(*)[3])colours;
 }
 
+/** Gives a mesh the texture coordinates of a piece's vertices, where its material has some. */
+static void place_textures(const mesh_quantiser *quantiser, const mesh_piece *piece, glint_mesh *made) {
+    const texture_range *range = &quantiser->textures[piece->material];
+    if (range->low[0] > range->high[0]) {
+        return;
+    }
+    int16_t(*coordinates)[2] = memory_new(piece->vertex_count, sizeof *coordinates);
+    for (size_t i = 0; i < piece->vertex_count; i++) {
+        memcpy(coordinates[i], piece->vertices[i].values + 9, sizeof coordinates[i]);
+    }
+    made->texture_coordinates = (const int16_t(*)[2])coordinates;
+    for (int axis = 0; axis < 2; axis++) {
+        made->texture_offset[axis] = number_q16(range->offset[axis]);
+        made->texture_extent[axis] = number_q16(range->extent[axis]);
+    }
+}
+
 /** Moves the piece into the result and starts an empty one. */
-static void finish_piece(mesh_piece *piece, const glint_mesh *frame, bool coloured, quantised_mesh *out) {
+static void finish_piece(const mesh_quantiser *quantiser, mesh_piece *piece, const glint_mesh *frame,
+                         quantised_mesh *out) {
     sort_vertices(piece);
     int16_t(*positions)[3] = memory_new(piece->vertex_count, sizeof *positions);
     int16_t(*normals)[3] = memory_new(piece->vertex_count, sizeof *normals);
@@ -228,7 +291,8 @@ static void finish_piece(mesh_piece *piece, const glint_mesh *frame, bool colour
     made->positions = (const int16_t(*)[3])positions;
     made->normals = (const int16_t(*)[3])normals;
     made->triangles = (const uint16_t(*)[3])piece->triangles;
-    made->colours = coloured ? piece_colours(piece) : NULL;
+    made->colours = quantiser->mesh->colours != NULL ? piece_colours(piece) : NULL;
+    place_textures(quantiser, piece, made);
     made->vertex_count = (uint32_t)piece->vertex_count;
     made->triangle_count = (uint32_t)piece->triangle_count;
     out->vertex_count += piece->vertex_count;
@@ -249,9 +313,10 @@ static bool same_position(const int16_t a[VALUES], const int16_t b[VALUES]) {
 static void place_triangle(const mesh_quantiser *quantiser, size_t triangle, mesh_piece *piece, const glint_mesh *frame,
                            quantised_mesh *out) {
     const mesh_corner *corners = quantiser->mesh->triangles[triangle];
+    const uint32_t material = quantiser->mesh->materials[triangle];
     int16_t values[3][VALUES];
     for (int i = 0; i < 3; i++) {
-        quantise_corner(quantiser, corners[i], values[i]);
+        quantise_corner(quantiser, material, corners[i], values[i]);
     }
     if (same_position(values[0], values[1]) || same_position(values[1], values[2]) ||
         same_position(values[2], values[0])) {
@@ -262,9 +327,8 @@ static void place_triangle(const mesh_quantiser *quantiser, size_t triangle, mes
     for (int i = 0; i < 3; i++) {
         added += *find_slot(piece, values[i]) == 0;
     }
-    const uint32_t material = quantiser->mesh->materials[triangle];
     if (piece->triangle_count > 0 && (piece->vertex_count + added > VERTICES_MAX || material != piece->material)) {
-        finish_piece(piece, frame, quantiser->mesh->colours != NULL, out);
+        finish_piece(quantiser, piece, frame, out);
     }
     piece->material = material;
     piece->triangles =
@@ -273,6 +337,10 @@ static void place_triangle(const mesh_quantiser *quantiser, size_t triangle, mes
         piece->triangles[piece->triangle_count][i] = place_vertex(piece, values[i], corners[i]);
     }
     piece->triangle_count++;
+}
+
+static glint_vector to_q16(const double v[3]) {
+    return (glint_vector){number_q16(v[0]), number_q16(v[1]), number_q16(v[2])};
 }
 
 /* ---- Public ----------------------------------------------------------------------------------------------------- */
@@ -299,7 +367,7 @@ static void measure_errors(const mesh_quantiser *quantiser, quantised_mesh *out)
     for (size_t i = 0; i < 3 * quantiser->mesh->triangle_count; i++) {
         int16_t values[VALUES];
         const mesh_corner corner = quantiser->mesh->triangles[i / 3][i % 3];
-        quantise_corner(quantiser, corner, values);
+        quantise_corner(quantiser, quantiser->mesh->materials[i / 3], corner, values);
         for (int axis = 0; axis < 3; axis++) {
             const double there = quantiser->offset[axis] + quantiser->extent[axis] * values[axis] / 32768.0;
             largest = fmax(largest, fabs(there - quantiser->mesh->positions[corner.position][axis]));
@@ -381,8 +449,11 @@ bool quantise(const host_mesh *mesh, uint32_t flags, const quantise_types *types
                            largest, QUANTISE_COORDINATE_MAX, 0.99 * QUANTISE_COORDINATE_MAX / largest);
     }
     for (int axis = 0; axis < 3; axis++) {
-        choose_range(&quantiser, axis, low[axis], high[axis], &frame);
+        choose_range(low[axis], high[axis], last_step(&quantiser), &quantiser.offset[axis], &quantiser.extent[axis]);
     }
+    frame.offset = to_q16(quantiser.offset);
+    frame.extent = to_q16(quantiser.extent);
+    quantiser.textures = choose_textures(mesh);
     mesh_piece piece = {.slot_count = 2 * (uint32_t)(mesh->triangle_count < VERTICES_MAX / 3 ? 3 * mesh->triangle_count
                                                                                              : VERTICES_MAX)};
     piece.slots = memory_new(piece.slot_count, sizeof *piece.slots);
@@ -392,11 +463,12 @@ bool quantise(const host_mesh *mesh, uint32_t flags, const quantise_types *types
     }
     free(order);
     if (piece.triangle_count > 0) {
-        finish_piece(&piece, &frame, mesh->colours != NULL, out);
+        finish_piece(&quantiser, &piece, &frame, out);
     }
     free(piece.vertices);
     free(piece.slots);
     measure_errors(&quantiser, out);
+    free(quantiser.textures);
     if (!indices_fit(out, problem) || !vertices_differ(out, problem)) {
         quantised_free(out);
         return false;
@@ -428,6 +500,7 @@ size_t quantised_size(const quantised_mesh *mesh) {
     }
     for (size_t i = 0; i < mesh->piece_count; i++) {
         const glint_clusters *clusters = mesh->pieces[i].clusters;
+        size += mesh->pieces[i].texture_coordinates != NULL ? 4 * (size_t)mesh->pieces[i].vertex_count : 0;
         if (clusters != NULL) {
             size += clusters->count * sizeof *clusters->list;
             size += quantised_borrowers(clusters) * sizeof *clusters->borrowers;
@@ -443,6 +516,7 @@ void quantised_free(quantised_mesh *mesh) {
         free((void *)(uintptr_t)mesh->pieces[i].normals);
         free((void *)(uintptr_t)mesh->pieces[i].triangles);
         free((void *)(uintptr_t)mesh->pieces[i].colours);
+        free((void *)(uintptr_t)mesh->pieces[i].texture_coordinates);
         cluster_free(&mesh->pieces[i]);
     }
     free(mesh->pieces);

@@ -13,6 +13,9 @@
 /** Largest coordinate of a mesh: offset and extent then fit Q16.16 with room for a rounding. */
 #define QUANTISE_COORDINATE_MAX 32766.0
 
+/** Largest texture coordinate: beyond it all are as there. */
+#define QUANTISE_TEXTURE_MAX 16000.0
+
 /** Most triangles of a piece for each of its vertices; a closed surface has two. */
 #define QUANTISE_SHARING_MAX 1024
 
@@ -45,7 +48,7 @@ typedef struct quantised_mesh {
     uint32_t *materials; /**< Of the pieces: the numbers that their triangles have in the mesh. */
     uint32_t *objects;   /**< Likewise, where objects stay apart (command_prepare), else null. */
     size_t piece_count;
-    size_t vertex_count;   /**< Of all pieces: different (position, normal, colour) triples. */
+    size_t vertex_count;   /**< Of all pieces: different positions, normals, colours and texture coordinates. */
     size_t triangle_count; /**< Of all pieces. */
     size_t dropped_count;  /**< Triangles left out: two corners fell on one position. */
     double largest_move;   /**< Largest distance along an axis between a position and its quantised one. */

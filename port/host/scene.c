@@ -86,7 +86,9 @@ static uint8_t *draw(void *context, uint32_t frame, framebuffer *target, glint_s
     const uint64_t own = settings->animate > 0 ? (uint64_t)frame * scene->frames / settings->animate : frame;
     example_stage *stage = memory_new(1, sizeof *stage);
     scene->build(stage, moving->chosen->variant, (uint32_t)(own % scene->frames));
-    const bool drawn = view_draw(&stage->scene, settings, target, stats, problem);
+    host_settings own_settings = *settings;
+    own_settings.samples = settings->samples_given ? settings->samples : stage->samples;
+    const bool drawn = view_draw(&stage->scene, &own_settings, target, stats, problem);
     free(stage);
     if (!drawn) {
         return NULL;

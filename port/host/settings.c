@@ -14,6 +14,9 @@
 /** Smallest factor: takes the largest coordinate that is read to 1. */
 #define SCALE_MIN 1e-30
 
+/** Degrees at which edges are sharp when nothing says which are: a cylinder of 9 sides is round, one of 8 is not. */
+#define CREASE_DEFAULT 40.0
+
 /* ---- Values of a form of their own ------------------------------------------------------------------------------ */
 
 static bool parse_size(host_settings *settings, const char *text, host_problem *problem) {
@@ -66,12 +69,38 @@ static bool parse_scale(host_settings *settings, const char *text, host_problem 
     return ok || problem_set(problem, 0, "takes fit, sx,sy,sz or one factor, each not 0 and from -32767 to 32767");
 }
 
+/** Takes --smooth: no edge is sharp. */
+static bool set_smooth(host_settings *settings, const char *text, host_problem *problem) {
+    (void)text;
+    (void)problem;
+    settings->load.normals.crease = 180;
+    return true;
+}
+
 static bool parse_light(host_settings *settings, const char *text, host_problem *problem) {
     if (settings->light_count == GLINT_LIGHTS_MAX) {
         return problem_set(problem, 0, "can be given 8 times at most");
     }
     settings->light_count++;
     return value_light(text, &settings->lights[settings->light_count - 1], problem);
+}
+
+/** Takes --fog START:END[:COLOUR]; without a colour it is the background's. */
+static bool parse_fog(host_settings *settings, const char *text, host_problem *problem) {
+    glint_fog *fog = &settings->fog;
+    double ends[2];
+    const size_t first = strcspn(text, ":");
+    const size_t second = text[first] == ':' ? strcspn(text + first + 1, ":") : 0;
+    const char *colour = text + first + 1 + second;
+    const bool ok = text[first] == ':' && number_list(text, first + 1 + second, ':', 2, ends) && ends[0] >= 0 &&
+                    ends[1] <= NUMBER_Q16_MAX && ends[0] < ends[1] && number_q16(ends[0]) < number_q16(ends[1]);
+    if (!ok) {
+        return problem_set(problem, 0, "takes START:END[:r,g,b], depths from 0 to 32767, the second above the first");
+    }
+    fog->start = number_q16(ends[0]);
+    fog->end = number_q16(ends[1]);
+    fog->to_background = *colour == '\0';
+    return *colour == '\0' || value_colour(colour + 1, strlen(colour + 1), &fog->colour, problem);
 }
 
 static bool parse_name(host_settings *settings, const char *text, host_problem *problem) {
@@ -138,6 +167,11 @@ static const char *const shading_names[] = {"flat", "vertex", "fragment", NULL};
 static const void *const shadings[] = {&glint_per_facet, &glint_per_vertex, &glint_per_fragment};
 static const char *const combinations[] = {"sum", "max", NULL};
 static const char *const viewers[] = {"infinite", "local", NULL}; /* as glint_viewer has them */
+static const char *const fog_names[] = {"linear", "squared", NULL};
+static const void *const fogs[] = {&glint_fog_linear, &glint_fog_squared};
+static const char *const blend_names[] = {"none", "alpha", "add", "dithered", NULL}; /* as glint_blend has them */
+static const char *const sample_names[] = {"1", "2x2", NULL};
+static const void *const samplings[] = {NULL, &glint_samples_2x2};
 static const char *const up_axes[] = {"y", "z", NULL};
 
 #define DRAW (COMMAND_RENDER | COMMAND_SCENE)
@@ -150,7 +184,8 @@ static const host_option options[] = {
      TEXT(output, "the name of a file")},
     {"--size", "WxH", "of the picture, up to 1024x1024; 320x240, or what a scene is composed for", DRAW,
      OWN(parse_size), GIVEN(size_given)},
-    {"--format", "NAME", "rgb565, rgb565_be, rgb444, rgb888, grey8, grey4 or mono; rgb888", DRAW, OWN(parse_format)},
+    {"--format", "NAME", "rgb565, rgb565_be, rgb444, rgb888, grey8, grey4 or mono; rgb888, with --stats rgb565", DRAW,
+     OWN(parse_format), GIVEN(format_given)},
     {"--dither", NULL, "ordered dithering of the format's levels", DRAW, SWITCH(dither)},
     {"--gamma", "G", "output is linear^(1/G), G from 0.1 to 10; 1", DRAW,
      REAL(gamma, 0.1, 10, "a number from 0.1 to 10")},
@@ -175,7 +210,8 @@ static const host_option options[] = {
      Q16(rotate[1], -NUMBER_Q16_MAX, NUMBER_Q16_MAX, "degrees from -32767 to 32767")},
     {"--rotate-z", "DEG", "then about the z axis", MESH,
      Q16(rotate[2], -NUMBER_Q16_MAX, NUMBER_Q16_MAX, "degrees from -32767 to 32767")},
-    {"--light", "LIGHT", "see below; up to 8 times; one from the upper left", COMMAND_RENDER, OWN(parse_light)},
+    {"--light", "LIGHT", "see below; up to 8 times; one from the upper left, a weak one from the right", COMMAND_RENDER,
+     OWN(parse_light)},
     {"--camera-lights", NULL, "all --light are in camera space: x right, y up, z backwards; else in world space",
      COMMAND_RENDER, SWITCH(camera_lights)},
     {"--model", "NAME", "lambert, phong, blinn-phong or unlit; the file's, or blinn-phong", COMMAND_RENDER,
@@ -194,23 +230,35 @@ static const host_option options[] = {
      .kind = KIND_COLOUR, AT(specular), GIVEN(specular_given)},
     {"--shininess", "P", "specular exponent, any real number from 0; the file's, or 32", COMMAND_RENDER,
      Q16(shininess, 0, NUMBER_Q16_MAX, "an exponent from 0 to 32767"), GIVEN(shininess_given)},
+    {"--opacity", "A", "0 to 1, whatever the file says; the file's, or 1", COMMAND_RENDER,
+     Q16(opacity, 0, 1, "a number from 0 to 1"), GIVEN(opacity_given)},
+    {"--blend", "NAME", "what opacity does: none, alpha, add or dithered; alpha where it is below 1", COMMAND_RENDER,
+     WORD(blend, blend_names), GIVEN(blend_given)},
+    {"--fog", "START:END[:r,g,b]", "depths from the eye where fog begins and where it is all there is; no fog",
+     COMMAND_RENDER, OWN(parse_fog), GIVEN(fog_given)},
+    {"--fog-type", "NAME", "how fog grows with depth: linear or squared; linear", COMMAND_RENDER,
+     CHOICE(fog.type, fog_names, fogs)},
     {"--viewer", "infinite|local", "where highlights are seen from; infinite", COMMAND_RENDER, WORD(viewer, viewers)},
     {"--background", "r,g,b", "colour of the background; 0", COMMAND_RENDER, .kind = KIND_COLOUR, AT(background)},
+    {"--samples", "1|2x2", "smooth edges: each pixel is the mean of so many; 1, or a scene's own", DRAW,
+     CHOICE(samples, sample_names, samplings), GIVEN(samples_given)},
     {"--tile", "WxH", "size of the tiles, each 8, 16, 32 or 64", DRAW, OWN(parse_tile)},
     {"--arena", "BYTES", "working memory; what one pass takes", DRAW,
      COUNT(arena, 1, 1073741824, "bytes, from 1 to 1073741824")},
     {"--stats", NULL, "print what the frame took, a `name value` a line", DRAW, SWITCH(stats)},
     {"--animate", "N", "one turn about --up in N frames, 1 to 1000: an animated PNG", COMMAND_RENDER,
      COUNT(animate, 1, 1000, "a number of frames, from 1 to 1000")},
-    {"--crease", "DEG", "make all normals anew, split at edges sharper than that", MESH,
-     REAL(load.crease, 0, 180, "degrees from 0 to 180")},
-    {"--weights", "NAME", "what triangles weigh in the normals that are made: area, angle or equal; area", MESH,
-     WORD(load.weights, mesh_weight_names)},
+    {"--crease", "DEG",
+     "make all normals anew, split at edges sharper than that; else those missing, by the file's s, or 40", MESH,
+     REAL(load.normals.crease, 0, 180, "degrees from 0 to 180"), GIVEN(load.normals.anew)},
+    {"--smooth", NULL, "make all normals anew, smooth over all edges", MESH, OWN(set_smooth), GIVEN(load.normals.anew)},
+    {"--flat", NULL, "make all normals anew, the triangles' own", MESH, SWITCH(load.facets)},
+    {"--weights", "NAME", "what triangles weigh in the normals that are made: angle, area or equal; angle", MESH,
+     WORD(load.normals.weights, mesh_weight_names)},
     {"--weld", "D", "make one of positions within that distance, in the model's units; 0 for equal ones", MESH,
      REAL(load.weld, 0, OBJ_COORDINATE_MAX, "a distance from 0")},
     {"--simplify", "N", "at most N triangles, by meshoptimizer", MESH,
      COUNT(load.simplify, 1, OBJ_ITEMS_MAX, "triangles from 1 to 4000000")},
-    {"--facets", NULL, "make all normals anew, the triangles' own", MESH, SWITCH(load.facets)},
     {"--repair", NULL, "turn triangles so that connected parts are wound consistently and face outwards", MESH,
      SWITCH(load.repair)},
     {"--no-clusters", NULL, "make no clusters, keep the model's order: where flash is short or light is costly", MESH,
@@ -221,6 +269,14 @@ static const host_option options[] = {
      WORD(load.types.normals, quantise_normal_names)},
     {"--indices", "BITS", "how indices are stored: 16, 8 or auto, which is 8 up to 256 vertices; 16", MESH,
      WORD(load.types.indices, quantise_index_names)},
+    {"--texture", "FILE", "a PNG picture on all of the model, in place of those that the file names", MESH,
+     TEXT(load.picture, "the name of a file")},
+    {"--texture-size", "N", "longest side of textures, 1 to 1024; 1024", MESH,
+     COUNT(load.texture.side, 1, TEXTURE_SIDE_MAX, "texels from 1 to 1024")},
+    {"--texture-type", "TYPE", "auto, rgb565, grey8, palette256 or palette16; auto: the smallest within 35 dB", MESH,
+     WORD(load.texture.type, texture_type_names)},
+    {"--texture-dither", NULL, "spread errors of textures over the next texels", MESH, SWITCH(load.texture.dither)},
+    {"--bilinear", NULL, "interpolate between texels, in place of showing the nearest", MESH, SWITCH(bilinear)},
     {"--import-seconds", "S", "time for reading another format than OBJ; 60", MESH,
      COUNT(load.import.seconds, 1, 86400, "seconds from 1 to 86400")},
     {"--import-memory", "MB", "memory for it; 2048", MESH,
@@ -343,6 +399,7 @@ static bool parse_value(host_settings *settings, const host_option *option, cons
 
 /** The option that an argument names, up to its end or to an equals sign. */
 static const host_option *find_option(const char *argument, int command) {
+    argument = strcmp(argument, "-h") == 0 ? "--help" : argument;
     const size_t length = strcspn(argument, "=");
     for (size_t i = 0; i < OPTION_COUNT; i++) {
         if ((options[i].commands & command) != 0 && strlen(options[i].name) == length &&
@@ -418,8 +475,10 @@ void settings_default(host_settings *settings) {
     settings->shininess = GLINT_Q16(32);
     settings->reflection = &glint_model_blinn_phong;
     settings->evaluation = &glint_per_fragment;
+    settings->opacity = GLINT_ONE;
+    settings->fog.type = &glint_fog_linear;
     settings->gamma = 1.0;
-    settings->load.crease = MESH_NO_CREASE;
+    settings->load.normals = (mesh_normal_rule){CREASE_DEFAULT, false, MESH_BY_ANGLE};
     settings->load.weld = -1;
     settings->load.import = (child_limits){60, 2048, OBJ_FILE_MAX};
     settings->models = "examples/models";
@@ -444,6 +503,9 @@ bool settings_parse(host_settings *settings, int command, int count, char **argu
         }
         settings->model = arguments[i];
         taken = 1;
+    }
+    if (settings->stats && !settings->format_given) {
+        settings->format = settings->panel.format; /* what info and convert speak of */
     }
     return true;
 }

@@ -8,6 +8,7 @@
 
 #include "basics.h"
 #include "framebuffer.h"
+#include "glint_extras.h"
 #include "model.h"
 
 /** Commands, as bits: which of them take an option. */
@@ -44,8 +45,9 @@ typedef struct host_settings {
 
     bool help, list, stats;    /**< What to print. */
     bool dither, double_sided; /**< How to draw. */
-    bool size_given, eye_given, at_given, near_given, frame_given;
+    bool size_given, format_given, eye_given, at_given, near_given, frame_given;
     bool ambient_given, diffuse_given, specular_given, shininess_given, reflection_given;
+    bool fog_given, samples_given, blend_given, opacity_given;
 
     glint_vector eye, at, up;
     glint_q16 field_of_view, near_plane;
@@ -60,8 +62,11 @@ typedef struct host_settings {
     const glint_shading_model *reflection;
     const glint_evaluation *evaluation;
     glint_colour ambient, diffuse, specular, background;
-    glint_q16 shininess;
-    bool takes_larger, ungated; /**< Flags of the material. */
+    glint_q16 shininess, opacity;
+    glint_blend blend;
+    glint_fog fog;                        /**< Where it is given. */
+    const glint_sampling *samples;        /**< Null for one a pixel. */
+    bool takes_larger, ungated, bilinear; /**< Flags of the material. */
     glint_light lights[GLINT_LIGHTS_MAX];
     uint32_t light_count; /**< 0 for the default light. */
     bool camera_lights;   /**< Whether the lights are in camera space, else in world space. */

@@ -5,6 +5,8 @@
 #include "quantise.h"
 #include "values.h"
 
+#include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -58,27 +60,50 @@ static glint_status box(glint_mesh *mesh, const glint_mesh_room *room, const uin
 }
 
 const host_shape host_shapes[] = {
-    {"torus", ":NxM[:R,r]", "round z, N steps round it, M round the tube; radii 1,0.4", {3, 3}, 2, {1, 0.4, 0}, torus},
-    {"sphere", ":NxM[:R]", "N steps round z, M from pole to pole; radius 1", {3, 2}, 1, {1, 0, 0}, sphere},
+    {"torus",
+     ":NxM[:R,r]",
+     "round z, N steps round it, M round the tube; radii 1,0.4",
+     {3, 3},
+     2,
+     SHAPE_TORUS,
+     {1, 0.4, 0},
+     torus},
+    {"sphere",
+     ":NxM[:R]",
+     "N steps round z, M from pole to pole; radius 1",
+     {3, 2},
+     1,
+     SHAPE_SPHERE,
+     {1, 0, 0},
+     sphere},
     {"cylinder",
      ":NxM[:R,H]",
      "open, N steps round z, M along it; radius 1, half height 1",
      {3, 1},
      2,
+     SHAPE_ROUND,
      {1, 1, 0},
      cylinder},
-    {"cylinder-capped", ":NxM[:R,H]", "the same with both caps", {3, 1}, 2, {1, 1, 0}, cylinder_capped},
+    {"cylinder-capped", ":NxM[:R,H]", "the same with both caps", {3, 1}, 2, SHAPE_ROUND, {1, 1, 0}, cylinder_capped},
     {"cone",
      ":NxM[:R,H]",
      "open, its tip at z = H, its base at -H; radius 1, half height 1",
      {3, 1},
      2,
+     SHAPE_ROUND,
      {1, 1, 0},
      cone},
-    {"cone-capped", ":NxM[:R,H]", "the same with a cap", {3, 1}, 2, {1, 1, 0}, cone_capped},
-    {"plane", ":NxM[:X,Y]", "z = 0, N columns, M rows, seen from +z; half sizes 1,1", {1, 1}, 2, {1, 1, 0}, plane},
-    {"box", "[:X,Y,Z]", "six faces; half sizes 1,1,1", {0, 0}, 3, {1, 1, 1}, box},
-    {NULL, NULL, NULL, {0, 0}, 0, {0, 0, 0}, NULL},
+    {"cone-capped", ":NxM[:R,H]", "the same with a cap", {3, 1}, 2, SHAPE_ROUND, {1, 1, 0}, cone_capped},
+    {"plane",
+     ":NxM[:X,Y]",
+     "z = 0, N columns, M rows, seen from +z; half sizes 1,1",
+     {1, 1},
+     2,
+     SHAPE_FLAT,
+     {1, 1, 0},
+     plane},
+    {"box", "[:X,Y,Z]", "six faces; half sizes 1,1,1", {0, 0}, 3, SHAPE_FLAT, {1, 1, 1}, box},
+    {NULL, NULL, NULL, {0, 0}, 0, SHAPE_FLAT, {0, 0, 0}, NULL},
 };
 
 /* ---- Names ------------------------------------------------------------------------------------------------------ */
@@ -93,6 +118,16 @@ const host_shape *shape_find(const char *name) {
         }
     }
     return NULL;
+}
+
+bool shape_offer(host_problem *problem) {
+    size_t length = strlen(problem->text);
+    for (const host_shape *shape = host_shapes; shape->name != NULL && length < sizeof problem->text; shape++) {
+        length += (size_t)snprintf(problem->text + length, sizeof problem->text - length, "%s %s%s",
+                                   shape == host_shapes ? "; shapes are" : ",", shape->name,
+                                   shape->least[0] > 0 ? ":NxM" : "");
+    }
+    return false;
 }
 
 static bool bad_counts(const host_shape *shape, host_problem *problem) {
@@ -138,6 +173,83 @@ static bool read_sizes(const host_shape *shape, const char *at, glint_q16 sizes[
     return true;
 }
 
+/* ---- Texture coordinates ---------------------------------------------------------------------------------------- */
+
+static const double pi = 3.14159265358979323846;
+
+/** Takes a part of a turn to less than half a turn from another one. */
+static double unwrap(double part, double other) {
+    return part - floor(part - other + 0.5);
+}
+
+/** Lays a picture on a triangle of a flat side, across the axis that it faces most. */
+static void lay_flat(const double size[3], const double normal[3], const double position[3], double at[2]) {
+    int axis = fabs(normal[1]) > fabs(normal[0]) ? 1 : 0;
+    axis = fabs(normal[2]) > fabs(normal[axis]) ? 2 : axis;
+    const int across = axis == 0 ? 2 : 0;
+    const int down = axis == 1 ? 2 : 1;
+    const double sign = (normal[axis] < 0) == (axis == 0) ? 1 : -1;
+    const double u = position[across] / size[across] * (axis == 1 ? 1 : sign);
+    const double v = position[down] / size[down] * (axis == 1 ? sign : -1);
+    at[0] = 0.5 + u / 2;
+    at[1] = 0.5 + v / 2;
+}
+
+/** Wraps a picture around z. @return whether the position is off the axis, so that it has a u */
+static bool lay_round(shape_wrap wrap, const double size[3], const double tube, const double position[3],
+                      double at[2]) {
+    const double radius = hypot(position[0], position[1]);
+    at[0] = atan2(position[1], position[0]) / (2 * pi);
+    if (wrap == SHAPE_TORUS) {
+        at[1] = 0.5 - atan2(position[2], radius - (size[0] - tube)) / (2 * pi);
+    } else if (wrap == SHAPE_SPHERE) {
+        at[1] = acos(fmax(-1, fmin(1, position[2] / size[2]))) / pi;
+    } else {
+        at[1] = 0.5 - position[2] / size[2] / 2;
+    }
+    return radius > 1e-4 * size[0];
+}
+
+static void lay_triangle(host_mesh *mesh, size_t triangle, const host_shape *shape, const double size[3]) {
+    mesh_corner *corners = mesh->triangles[triangle];
+    double normal[3];
+    double at[3][2];
+    double sum = 0;
+    int rounds = 0;
+    bool has_u[3] = {true, true, true};
+    mesh_triangle_normal(mesh, triangle, normal);
+    const bool is_cap =
+        shape->wrap == SHAPE_ROUND && fabs(normal[2]) > 0 && hypot(normal[0], normal[1]) < 1e-4 * fabs(normal[2]);
+    const bool is_flat = shape->wrap == SHAPE_FLAT || is_cap;
+    for (int i = 0; i < 3; i++) {
+        const double *position = mesh->positions[corners[i].position];
+        if (is_flat) {
+            lay_flat(size, normal, position, at[i]);
+            continue;
+        }
+        has_u[i] = lay_round(shape->wrap, size, size[2], position, at[i]);
+        if (has_u[i]) {
+            at[i][0] = rounds > 0 ? unwrap(at[i][0], sum / rounds) : at[i][0];
+            sum += at[i][0];
+            rounds++;
+        }
+        at[i][1] = i > 0 && shape->wrap == SHAPE_TORUS ? unwrap(at[i][1], at[0][1]) : at[i][1];
+    }
+    for (int i = 0; i < 3; i++) {
+        corners[i].texture = mesh_add_texture(mesh, has_u[i] ? at[i][0] : sum / rounds, at[i][1]);
+    }
+}
+
+/** Wraps a picture around a shape. */
+static void lay_picture(host_mesh *mesh, const host_shape *shape) {
+    double size[3];
+    double low[3];
+    mesh_bounds(mesh, low, size);
+    for (size_t i = 0; i < mesh->triangle_count; i++) {
+        lay_triangle(mesh, i, shape, size);
+    }
+}
+
 /* ---- Meshes ----------------------------------------------------------------------------------------------------- */
 
 static void read_back(const glint_mesh *made, host_mesh *mesh) {
@@ -153,6 +265,7 @@ static void read_back(const glint_mesh *made, host_mesh *mesh) {
         mesh_corner corners[3];
         for (int j = 0; j < 3; j++) {
             corners[j].position = corners[j].normal = made->triangles[i][j];
+            corners[j].texture = 0;
         }
         mesh_add_triangle(mesh, corners[0], corners[1], corners[2]);
     }
@@ -179,6 +292,7 @@ static bool generate(const host_shape *shape, const uint32_t counts[2], const gl
     const glint_status status = shape->generate(&made, &room, counts, sizes);
     if (status == GLINT_OK) {
         read_back(&made, mesh);
+        lay_picture(mesh, shape);
     }
     free(room.positions);
     free(room.normals);

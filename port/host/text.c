@@ -22,17 +22,21 @@ static size_t line_end(const text_reader *reader, const char *at) {
     return *at == '\r' && at + 1 < reader->end && at[1] == '\n' ? 2 : 1;
 }
 
-/** Bytes of a backslash and the line end after it, or 0. */
+static bool is_blank(char c) {
+    return c == ' ' || c == '\t' || c == '\v' || c == '\f';
+}
+
+/** Bytes of a backslash, blanks that are not seen there, and the line end after them, or 0. */
 static size_t continuation(const text_reader *reader, const char *at) {
     if (at == reader->end || *at != '\\') {
         return 0;
     }
-    const size_t size = line_end(reader, at + 1);
-    return size > 0 ? size + 1 : 0;
-}
-
-static bool is_blank(char c) {
-    return c == ' ' || c == '\t' || c == '\v' || c == '\f';
+    const char *next = at + 1;
+    while (next < reader->end && is_blank(*next)) {
+        next++;
+    }
+    const size_t size = line_end(reader, next);
+    return size > 0 ? (size_t)(next - at) + size : 0;
 }
 
 static void skip_blanks(text_reader *reader) {
@@ -71,6 +75,15 @@ text_token text_rest_of_line(text_reader *reader) {
         rest.length--;
     }
     return rest;
+}
+
+text_token text_name(text_reader *reader) {
+    text_token name = text_rest_of_line(reader);
+    if (name.length >= 2 && name.start[0] == '"' && name.start[name.length - 1] == '"') {
+        name.start++;
+        name.length -= 2;
+    }
+    return name;
 }
 
 char *text_copy(text_token token) {

@@ -261,6 +261,23 @@ mesh_winding mesh_check_winding(const host_mesh *mesh) {
     return winding;
 }
 
+void mesh_mark_open(const host_mesh *mesh, bool *marks) {
+    winding_fill fill = begin_fill(mesh);
+    for (size_t i = 0; i < mesh->triangle_count; i++) {
+        if (fill.seen[i]) {
+            continue;
+        }
+        const winding_part part = fill_part(&fill, i);
+        if (part.closed && part.against == 0 && outwardness(&fill, &part) >= 0) {
+            continue;
+        }
+        for (size_t j = 0; j < part.count; j++) {
+            marks[mesh->materials[fill.queue[j]]] = true;
+        }
+    }
+    end_fill(&fill);
+}
+
 /** A corner's own normal, when it came with the model, to the side that its triangle faces now. */
 static void turn_normal(host_mesh *mesh, size_t triangle, mesh_corner *corner) {
     double facing[3];

@@ -78,7 +78,7 @@ void place_model(host_model *model, const host_settings *settings, bool turned) 
     model->note.text[0] = '\0';
 }
 
-/** Whether a camera is to frame the model, and nothing on the command line is measured in the model's units. */
+/** Says whether a camera is to frame the model, and nothing on the command line is measured in the model's units. */
 static bool is_framed(const host_settings *settings) {
     bool framed = !settings->eye_given && !settings->at_given && !settings->near_given;
     for (uint32_t i = 0; i < settings->light_count; i++) {
@@ -110,8 +110,9 @@ void place_to_fit(host_model *model, const host_settings *settings) {
 /* ---- A camera and its axes ----------------------------------------------------------------------------------------
  */
 
-/** Degrees that a framing camera stands above the model's horizon. */
-#define FRAME_ELEVATION 20.0
+/** Degrees that a framing camera stands above the model's horizon, and to the right of its front. */
+#define FRAME_ELEVATION 25.0
+#define FRAME_AZIMUTH 30.0
 
 /** Part of the view, per axis, that a framed model fills. */
 #define FRAME_FILL 0.92
@@ -187,13 +188,15 @@ static double reach_of(vector3 a) {
 
 /* ---- Framing ---------------------------------------------------------------------------------------------------- */
 
-/** A camera before the model, a little above: before is +z, or -y when up is near the z axis. */
+/** A camera before the model, to the right and above: before is +z, or -y when up is near the z axis. */
 static frame_axes framing_axes(glint_vector up) {
     const vector3 along_z = {{0, 0, 1}};
     const vector3 against_y = {{0, -1, 0}};
     const vector3 sky = unit_length(from_q16(up));
     const vector3 front = fabs(sky.v[2]) > 0.9 ? against_y : along_z;
-    const vector3 level = unit_length(combine(1.0, front, -dot(front, sky), sky));
+    const vector3 before = unit_length(combine(1.0, front, -dot(front, sky), sky));
+    const double around = FRAME_AZIMUTH * pi / 180.0;
+    const vector3 level = combine(cos(around), before, sin(around), cross(sky, before));
     const double angle = FRAME_ELEVATION * pi / 180.0;
     frame_axes axes;
     axes.back = unit_length(combine(cos(angle), level, sin(angle), sky));
@@ -250,7 +253,8 @@ static bool frame_model(host_view *view, const host_settings *settings, const qu
     const frame_axes axes = framing_axes(settings->up);
     const double slope_y = FRAME_FILL * tan(number_from_q16(settings->field_of_view) * pi / 360.0);
     const double slope_x = slope_y * settings->width / settings->height;
-    const frame_reach reach = measure_all(view, settings, mesh, &axes, slope_x, slope_y);
+    const double widens = settings->view_height > 0 ? 0.0 : 1.0; /* parallel rays do not */
+    const frame_reach reach = measure_all(view, settings, mesh, &axes, widens * slope_x, widens * slope_y);
     const vector3 at = from_q16(settings->at);
     const double x = settings->at_given ? dot(at, axes.right) : (reach.right - reach.left) / 2;
     const double y = settings->at_given ? dot(at, axes.up) : (reach.above - reach.below) / 2;
@@ -280,12 +284,17 @@ double view_framing_distance(const host_settings *settings, double half_side) {
 
 /* ---- Scenes ----------------------------------------------------------------------------------------------------- */
 
-/** From the upper left of the camera and half behind it, white. */
-static glint_light default_light(const glint_camera *camera) {
-    static const vector3 direction = {{0.5, -0.7, -0.7}};
-    glint_light light = {.type = &glint_light_directional, .diffuse = settings_grey(1), .specular = settings_grey(1)};
-    light.direction = to_q16(transform(&camera->pose, direction, 0.0));
-    return light;
+/** Lights a scene without --light: white from the upper left of the camera and half behind it; and weaker from the
+ * right, without highlights, so that no side that the camera sees is black. */
+static void place_default_lights(host_view *view) {
+    static const vector3 directions[] = {{{0.5, -0.7, -0.7}}, {{-0.8, -0.1, -0.6}}};
+    static const double levels[] = {1.0, 0.25};
+    for (int i = 0; i < 2; i++) {
+        view->lights[i] = (glint_light){.type = &glint_light_directional, .diffuse = settings_grey(levels[i])};
+        view->lights[i].direction = to_q16(transform(&view->scene.camera.pose, directions[i], 0.0));
+    }
+    view->lights[0].specular = settings_grey(1);
+    view->scene.light_count = 2;
 }
 
 /** A direction from camera space to world space. One too long for Q16.16 is halved: its length means nothing. */
@@ -318,8 +327,7 @@ static bool place_lights(host_view *view, const host_settings *settings, host_pr
         }
     }
     if (settings->light_count == 0) {
-        view->lights[0] = default_light(&view->scene.camera);
-        view->scene.light_count = 1;
+        place_default_lights(view);
     }
     return true;
 }
@@ -395,6 +403,7 @@ bool view_make(host_view *view, const host_settings *settings, const host_materi
     view->scene.viewer = settings->viewer;
     view->scene.background = settings->background;
     view->scene.ambient = settings_grey(1);
+    view->scene.fog = settings->fog_given ? &settings->fog : NULL;
     return true;
 }
 
@@ -435,12 +444,25 @@ static glint_status draw(const glint_scene *scene, glint_config *config, glint_s
     return status;
 }
 
+/** Returns whether an object that is drawn blends. */
+static bool has_layers(const glint_scene *scene) {
+    for (uint32_t i = 0; i < scene->object_count; i++) {
+        if (!scene->objects[i].hidden && scene->objects[i].material->blend != GLINT_BLEND_NONE) {
+            return true;
+        }
+    }
+    return false;
+}
+
 /** Configures all but arena and flush. `tables` must outlive the configuration. */
-static glint_config configure(const host_settings *settings, uint16_t tables[3][GLINT_GAMMA_ENTRIES]) {
+static glint_config configure(const glint_scene *scene, const host_settings *settings,
+                              uint16_t tables[3][GLINT_GAMMA_ENTRIES]) {
     glint_config config = {.width = settings->width, .height = settings->height};
     config.format = settings->dither ? settings->format->dithered : settings->format->format;
     config.tile_width = settings->tile_width;
     config.tile_height = settings->tile_height;
+    config.layers = has_layers(scene) ? &glint_layers : NULL;
+    config.samples = settings->samples;
     if (settings->gamma < 1 || settings->gamma > 1) {
         for (int i = 0; i < GLINT_GAMMA_ENTRIES; i++) {
             const double level = pow((double)i / (GLINT_GAMMA_ENTRIES - 1), 1.0 / settings->gamma);
@@ -454,15 +476,37 @@ static glint_config configure(const host_settings *settings, uint16_t tables[3][
 glint_status view_need(const glint_scene *scene, const host_settings *settings, glint_need *need) {
     uint16_t tables[3][GLINT_GAMMA_ENTRIES];
     framebuffer target; /* with its flush two tiles are kept, one of which is sent */
-    glint_config config = configure(settings, tables);
+    glint_config config = configure(scene, settings, tables);
     config.flush = framebuffer_flush(&target);
     return glint_arena_need(&config, scene, need);
+}
+
+bool view_explain(const glint_scene *scene, const host_settings *settings, bool is_black, host_problem *warning) {
+    uint16_t tables[3][GLINT_GAMMA_ENTRIES];
+    glint_config config = configure(scene, settings, tables);
+    framebuffer target;
+    config.flush = framebuffer_flush(&target);
+    glint_need need = {0};
+    glint_report report = {0};
+    if (glint_arena_need(&config, scene, &need) != GLINT_OK) {
+        return false;
+    }
+    config.arena_size = need.one_pass;
+    config.arena = memory_new(config.arena_size, 1);
+    const glint_status status = glint_check(&config, scene, &report);
+    free(config.arena);
+    if (status != GLINT_OK || (report.shown > 0 && !is_black)) {
+        return false;
+    }
+    problem_set(warning, 0, "warning: the picture %s: %s", report.shown > 0 ? "is black" : "shows nothing of the model",
+                report.sentence);
+    return true;
 }
 
 bool view_draw(const glint_scene *scene, const host_settings *settings, framebuffer *target, glint_stats *stats,
                host_problem *problem) {
     uint16_t tables[3][GLINT_GAMMA_ENTRIES];
-    glint_config config = configure(settings, tables);
+    glint_config config = configure(scene, settings, tables);
     framebuffer_init(target, config.format, config.width, config.height);
     config.flush = framebuffer_flush(target);
     glint_need need = {0};

@@ -66,6 +66,13 @@ glint_status view_need(const glint_scene *scene, const host_settings *settings, 
 bool view_draw(const glint_scene *scene, const host_settings *settings, framebuffer *target, glint_stats *stats,
                host_problem *problem);
 
+/**
+ * Says why a picture of one colour shows nothing of its scene, or shows it black, as glint_check finds it.
+ * @param is_black whether its colour is black
+ * @return false where it does show something
+ */
+bool view_explain(const glint_scene *scene, const host_settings *settings, bool is_black, host_problem *warning);
+
 /* ---- Tells the flash and the arena that a mesh takes of a board that draws it framed ---- */
 
 /** A model, and how it is drawn. */

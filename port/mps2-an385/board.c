@@ -30,13 +30,14 @@ void board_delay(uint32_t milliseconds) {
 }
 
 const glint_bus *board_panel_bus(void) {
+    mps2_lcd_start(CLOCK_HZ, glint_panel_ili9341.clock_max);
     return &mps2_lcd_bus;
 }
 
 glint_status board_display_start(board_display *display) {
     static const glint_panel panel = {.type = &glint_panel_ili9341, .bus = &mps2_lcd_bus, .rotation = GLINT_PANEL_90};
 
-    mps2_lcd_start(CLOCK_HZ, glint_panel_ili9341.clock_max);
+    board_panel_bus();
     return glint_display_start(&panel, display);
 }
 

@@ -254,23 +254,18 @@ static void remark_black(const glint_config *config, const glint_scene *scene, g
 #define BYTES_OF_8 24
 
 typedef struct tally {
+    const glint_config *config;
     uint32_t shown; /* pixels */
     int is_lit;     /* whether a pixel of the frame is not black */
-    const glint_format *format;
-    uint32_t bytes_of_8;          /* bytes of 8 pixels of a row, or of a page */
-    uint8_t black[8][BYTES_OF_8]; /* black, also dithered, repeats after 8 rows */
 } tally;
 
-/* Finds the bytes of black, which output tables may make any colour. */
-static void find_black(const glint_config *config, tally *sum) {
-    uint8_t pixels[8 * BYTES_OF_8];
-    int32_t colour[1][3] = {{0, 0, 0}};
+/* Finds the bytes of black, which output tables may make any colour, of 8 x 8 pixels: dithered, it repeats then. */
+static void find_black(const glint_config *config, uint8_t black[8 * BYTES_OF_8]) {
+    int32_t none = 0;
+    GLINT_OPAQUE(none); /* otherwise compilers store two zeros from a register of the FPU */
+    int32_t colour[1][3] = {{none, none, none}};
     glint_finish_colours(config, colour, 1);
-    config->format->fill(pixels, 3, 8, colour[0]);
-    const uint32_t rows = config->format->edge[1] ? 1 : 8;
-    sum->bytes_of_8 = config->format->edge[1] ? 8 : config->format->bits;
-    for (uint32_t i = 0; i < rows * sum->bytes_of_8; i++)
-        sum->black[i / sum->bytes_of_8][i % sum->bytes_of_8] = pixels[i];
+    config->format->fill(black, 3, 8, colour[0]);
 }
 
 static int send_nothing(void *context, int x, int y, int width, int height, const void *pixels, size_t stride) {
@@ -280,50 +275,80 @@ static int send_nothing(void *context, int x, int y, int width, int height, cons
 
 static int look(void *context, const glint_tile *tile) {
     tally *const sum = context;
+    const glint_format *const format = sum->config->format;
+    const uint32_t bytes_of_8 = format->edge[1] ? 8 : format->bits; /* of 8 pixels of a row, or of a page */
+    uint8_t black[8 * BYTES_OF_8];
+    find_black(sum->config, black);
     for (int y = 0; y < tile->height; y++) {
         const uint8_t *const bytes = (const uint8_t *)tile->pixels + (size_t)y * tile->stride;
-        const uint8_t *const black = sum->black[(tile->y + y) & 7];
-        const size_t first = ((uint32_t)tile->x & 7) * sum->bytes_of_8 / 8;
-        const size_t count = !sum->format->edge[1]             ? (size_t)tile->width * sum->format->bits / 8
-                             : (y & sum->format->edge[1]) == 0 ? (size_t)tile->width
-                                                               : 0;
+        const uint8_t *const row = black + (format->edge[1] ? 0 : ((uint32_t)(tile->y + y) & 7) * bytes_of_8);
+        const size_t first = ((uint32_t)tile->x & 7) * bytes_of_8 / 8;
+        const size_t count = !format->edge[1]             ? (size_t)tile->width * format->bits / 8
+                             : (y & format->edge[1]) == 0 ? (size_t)tile->width
+                                                          : 0;
         for (size_t i = 0; i < count; i++)
-            sum->is_lit |= bytes[i] != black[(first + i) % sum->bytes_of_8];
+            sum->is_lit |= bytes[i] != row[(first + i) % bytes_of_8];
         for (int x = 0; x < tile->width; x++)
             sum->shown += tile->depth[(size_t)y * tile->depth_stride + (size_t)x] != 0;
     }
     return 0;
 }
 
-/* Draws the scene on black, and sends nothing. */
-static glint_status look_at_frame(const glint_config *config, const glint_scene *scene, tally *sum,
-                                  glint_stats *stats) {
+/* Begins a renderer that sends nothing. */
+static GLINT_NOINLINE glint_status begin_look(glint_renderer *renderer, const glint_config *config, tally *sum) {
     glint_config as = *config;
-    glint_scene on_black = *scene;
-    glint_renderer renderer;
     as.flush = (glint_flush){.begin = send_nothing};
     as.background.paint = 0;
     as.overlay = (glint_painter){look, sum};
+    sum->config = config;
+    return glint_init(renderer, &as);
+}
+
+/* Draws the scene on black, and sends nothing. @param is_lit whether a pixel is not black */
+static GLINT_NOINLINE glint_status look_at_frame(const glint_config *config, const glint_scene *scene,
+                                                 glint_report *report, glint_stats *stats, int *is_lit) {
+    glint_scene on_black = *scene;
+    glint_renderer renderer;
+    tally sum = {0};
     on_black.background = (glint_colour){0, 0, 0};
-    sum->format = config->format;
-    find_black(config, sum);
-    glint_status status = glint_init(&renderer, &as);
+    glint_status status = begin_look(&renderer, config, &sum);
     if (status == GLINT_OK)
         status = glint_render(&renderer, &on_black);
     *stats = renderer.stats;
+    *is_lit = sum.is_lit;
+    report->shown = status == GLINT_OK ? sum.shown : 0;
     return status;
 }
 
-glint_status glint_check(const glint_config *config, const glint_scene *scene, glint_report *report) {
-    glint_renderer renderer;
-    glint_need need;
+/* Draws the scene, and says what looks wrong. */
+static glint_status remark_frame(const glint_config *config, const glint_scene *scene, glint_report *report) {
     glint_stats stats;
-    tally sum = {0};
+    int is_lit;
+    const glint_status status = look_at_frame(config, scene, report, &stats, &is_lit);
+    if (status != GLINT_OK)
+        return say(report, status, the_frame, glint_strerror(status));
+    if (!report->shown && !is_lit) /* what is blended leaves no depth */
+        remark_nothing(config, scene, &stats, report);
+    else if (!is_lit)
+        remark_black(config, scene, report);
+    else
+        remark_numbers(config, scene, report);
+    return GLINT_OK;
+}
+
+/* Returns what a configuration is refused with. */
+static GLINT_NOINLINE glint_status try_config(const glint_config *config) {
+    glint_renderer renderer;
+    return glint_init(&renderer, config);
+}
+
+glint_status glint_check(const glint_config *config, const glint_scene *scene, glint_report *report) {
+    glint_need need;
     if (!report)
         return GLINT_ERROR_NULL;
     if (!config || !scene)
         return say(report, GLINT_ERROR_NULL, the_frame, config ? "the scene is null" : "the configuration is null");
-    glint_status status = glint_init(&renderer, config);
+    const glint_status status = try_config(config);
     if (status != GLINT_OK && status != GLINT_ERROR_ARENA && status != GLINT_ERROR_PIXELS)
         return say(report, status, the_frame, status == GLINT_ERROR_NULL ? name_null(config) : glint_strerror(status));
     const glint_status error = glint_arena_need(config, scene, &need);
@@ -332,15 +357,5 @@ glint_status glint_check(const glint_config *config, const glint_scene *scene, g
     say(report, GLINT_OK, the_frame, "");
     if (check_memory(config, &need, report) != GLINT_OK)
         return report->status;
-    status = look_at_frame(config, scene, &sum, &stats);
-    if (status != GLINT_OK)
-        return say(report, status, the_frame, glint_strerror(status));
-    report->shown = sum.shown;
-    if (!sum.shown)
-        remark_nothing(config, scene, &stats, report);
-    else if (!sum.is_lit)
-        remark_black(config, scene, report);
-    else
-        remark_numbers(config, scene, report);
-    return GLINT_OK;
+    return remark_frame(config, scene, report);
 }

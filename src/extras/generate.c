@@ -86,6 +86,8 @@ static glint_status finish(const builder *b, glint_mesh *mesh, glint_q16 x, glin
     mesh->colours565 = 0;
     mesh->clusters = 0;
     mesh->layout = 0;
+    mesh->texture_coordinates = 0;
+    mesh->texture_offset[0] = mesh->texture_offset[1] = mesh->texture_extent[0] = mesh->texture_extent[1] = 0;
     return GLINT_OK;
 }
 

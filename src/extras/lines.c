@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /* Brings lines from space to the screen, where they are cut at the near plane and the guard band, and draws them onto
  * finished tiles. Makes the lines of boxes and meshes. */
+#include "../blend/blend.h"
 #include "../frame/frame.h"
-#include "../pixel/format.h"
 
 /* ---- From space to the screen ---- */
 
@@ -98,8 +98,12 @@ static void place_line(const line_camera *by, const glint_line *line, glint_segm
         return;
     finish_end(by, &end[0], to, 0);
     finish_end(by, &end[1], to, 1);
+    to->width = (uint16_t)(line->width ? (line->width + 128) >> 8 : 256);
     to->colour = &line->colour;
 }
+
+/* The largest width of a smooth line, in pixels. */
+#define WIDTH_MOST 64
 
 glint_status glint_lines_project(glint_segment *segments, const glint_config *config, const glint_camera *camera,
                                  const glint_pose *pose, const glint_line *lines, uint32_t count) {
@@ -112,6 +116,8 @@ glint_status glint_lines_project(glint_segment *segments, const glint_config *co
         const glint_colour *const c = &lines[i].colour;
         if ((uint32_t)c->r > GLINT_COLOUR_MAX || (uint32_t)c->g > GLINT_COLOUR_MAX || (uint32_t)c->b > GLINT_COLOUR_MAX)
             return GLINT_ERROR_COLOUR;
+        if ((uint32_t)lines[i].width > WIDTH_MOST * GLINT_ONE)
+            return GLINT_ERROR_WIDTH;
     }
     const int64_t focal = glint_round_shift64(glint_focal_length(config, camera), 31 - 12);
     const unsigned bits = glint_bits64((uint64_t)focal), down = bits > 22 ? bits - 22 : 0;
@@ -127,9 +133,9 @@ void glint_lines_box(glint_line lines[12], glint_vector from, glint_vector to, g
     const glint_q16 x[2] = {from.x, to.x}, y[2] = {from.y, to.y}, z[2] = {from.z, to.z};
     for (int i = 0; i < 4; i++) { /* four along each axis */
         const int a = i & 1, b = i >> 1;
-        lines[i] = (glint_line){{x[0], y[a], z[b]}, {x[1], y[a], z[b]}, colour};
-        lines[i + 4] = (glint_line){{x[a], y[0], z[b]}, {x[a], y[1], z[b]}, colour};
-        lines[i + 8] = (glint_line){{x[a], y[b], z[0]}, {x[a], y[b], z[1]}, colour};
+        lines[i] = (glint_line){{x[0], y[a], z[b]}, {x[1], y[a], z[b]}, colour, 0};
+        lines[i + 4] = (glint_line){{x[a], y[0], z[b]}, {x[a], y[1], z[b]}, colour, 0};
+        lines[i + 8] = (glint_line){{x[a], y[b], z[0]}, {x[a], y[b], z[1]}, colour, 0};
     }
 }
 
@@ -169,14 +175,14 @@ uint32_t glint_lines_edges(glint_line *lines, uint32_t room, const glint_mesh *m
             if (a >= mesh->vertex_count || b >= mesh->vertex_count || names_edge(mesh, i, a, b))
                 continue;
             if (count < room)
-                lines[count] = (glint_line){place_vertex(mesh, a), place_vertex(mesh, b), colour};
+                lines[count] = (glint_line){place_vertex(mesh, a), place_vertex(mesh, b), colour, 0};
             count++;
         }
     }
     return count;
 }
 
-/* ---- Onto a tile: one pixel in each column, or in each row, where nothing nearer is ---- */
+/* ---- Onto a tile, where nothing nearer is ---- */
 
 /* 1/w of a line's end over that of the frame's nearest, Q31, is at most this: what is nearer by more than 2^14 counts
  * as that. */
@@ -201,7 +207,8 @@ typedef struct line_walk {
 static int64_t depth_of_parallel(const glint_frame *frame, const glint_segment *segment, int i) {
     const int up = segment->exponent[i] - 62;
     const int64_t kept = segment->inverse_w[i], w = up > 0 ? kept << up : kept >> -up;
-    return frame->scene->camera.projection->depth_at(frame->view, w - 2 * frame->view->nearest / GLINT_GUARD_BAND);
+    return frame->scene->camera.projection->depth_at(frame->view, w - (2 << glint_sample_shift(frame)) *
+                                                                          frame->view->nearest / GLINT_GUARD_BAND);
 }
 
 static int64_t depth_of_end(const line_target *target, const glint_segment *segment, int i) {
@@ -227,20 +234,34 @@ static void begin_line(const line_target *target, const glint_segment *segment, 
     walk->slope = walk->du ? (depth_of_end(target, segment, last) - walk->depth) * (1 << 16) / walk->du : 0;
 }
 
-/* Draws a pixel of the tile, counted from its first one on the screen, if it is nearer than the depth there. */
-static void draw_pixel(const line_target *target, int32_t x, int32_t y, int64_t depth, const int32_t colour[1][3]) {
+/* Finds a pixel of the screen in its tile. @return its depth, of 16 bits, if it is nearer than what is there; else 0 */
+static uint16_t find_nearer(const line_target *target, int32_t x, int32_t y, int64_t depth, glint_canvas *canvas,
+                            uint32_t *offset) {
     const glint_frame *const frame = target->tile->frame;
     const glint_workspace *const workspace = target->tile->workspace;
-    const uint32_t column = (uint32_t)x & (frame->config.tile_width - 1u),
-                   row = (uint32_t)y & (frame->config.tile_height - 1u);
-    const uint32_t offset = (row << frame->tile_shift_x) + column;
+    const unsigned smaller = glint_sample_shift(frame);
+    *canvas = (glint_canvas){frame->config.format, workspace->pixels, frame->tile_shift_x - smaller};
+    *offset = (((uint32_t)y & (frame->config.tile_height - 1u) >> smaller) << canvas->shift) +
+              ((uint32_t)x & (frame->config.tile_width - 1u) >> smaller);
     const int64_t step = glint_shift_right64(depth, 15);
     const uint16_t here = (uint16_t)(step < 0 ? 1 : step < 0xffff ? step + 1 : 0xffff);
-    if (here <= workspace->depth[offset])
-        return;
-    workspace->depth[offset] = here;
+    return here > workspace->depth[*offset] ? here : 0;
+}
+
+static void store_pixel(const glint_canvas *canvas, uint32_t offset, const int32_t colour[1][3]) {
     const glint_list_pixel pixel = {offset, {colour[0][0], colour[0][1], colour[0][2]}};
-    frame->config.format->store_list(workspace->pixels, frame->tile_shift_x, &pixel, sizeof pixel, 1);
+    canvas->format->store_list(canvas->pixels, canvas->shift, &pixel, sizeof pixel, 1);
+}
+
+/* Draws a pixel of the screen, if it is nearer than what is there. */
+static void draw_pixel(const line_target *target, int32_t x, int32_t y, int64_t depth, const int32_t colour[1][3]) {
+    glint_canvas canvas;
+    uint32_t offset;
+    const uint16_t here = find_nearer(target, x, y, depth, &canvas, &offset);
+    if (!here)
+        return;
+    target->tile->workspace->depth[offset] = here;
+    store_pixel(&canvas, offset, colour);
 }
 
 /* Draws columns, or rows, of a range: one pixel in each, where the other coordinate is in the range. */
@@ -261,42 +282,143 @@ static void walk_along(const line_target *target, const line_walk *walk, const g
     }
 }
 
-/* Cuts the range between two places, in sixteenths, to a tile from `first` on, `size` wide. */
-static void cut_range(int32_t first, int32_t size, int32_t a, int32_t b, int32_t *from, int32_t *to) {
-    *from = glint_most(first, glint_shift_right(glint_least(a, b), 4));
-    *to = glint_least(first + size, glint_shift_right(glint_most(a, b), 4) + 1);
+/* Cuts the range between two places, in sixteenths, and as far around them, to a tile from `first` on, `size` wide. */
+static void cut_range(int32_t first, int32_t size, int32_t a, int32_t b, int32_t around, int32_t *from, int32_t *to) {
+    *from = glint_most(first, glint_shift_right(glint_least(a, b) - around, 4));
+    *to = glint_least(first + size, glint_shift_right(glint_most(a, b) + around, 4) + 1);
+}
+
+/* Finds the range of a segment in a tile, with so many sixteenths of a pixel around it, and its colour. @return 0 where
+ * the range has no pixel */
+static int begin_segment(const glint_tile *tile, const glint_segment *segment, int32_t around, glint_range *range,
+                         int32_t colour[1][3]) {
+    const glint_colour *const c = segment->colour;
+    if (!c)
+        return 0;
+    cut_range(tile->x, tile->width, segment->x[0], segment->x[1], around, &range->left, &range->right);
+    cut_range(tile->y, tile->height, segment->y[0], segment->y[1], around, &range->top, &range->bottom);
+    if (range->left >= range->right || range->top >= range->bottom)
+        return 0;
+    const uint32_t shown[3] = {(uint32_t)c->r << 7, (uint32_t)c->g << 7, (uint32_t)c->b << 7};
+    glint_channels_of(shown, colour[0]);
+    glint_finish_colours(&tile->frame->config, colour, 1);
+    return 1;
 }
 
 static void draw_segment(const line_target *target, const glint_segment *segment) {
-    const glint_tile *const tile = target->tile;
-    const glint_colour *const c = segment->colour;
     glint_range range;
     line_walk walk;
     int32_t colour[1][3];
-    cut_range(tile->x, tile->width, segment->x[0], segment->x[1], &range.left, &range.right);
-    cut_range(tile->y, tile->height, segment->y[0], segment->y[1], &range.top, &range.bottom);
-    if (range.left >= range.right || range.top >= range.bottom)
+    if (!begin_segment(target->tile, segment, 0, &range, colour))
         return;
     begin_line(target, segment, &walk);
     if (walk.is_steep)
         range = (glint_range){range.top, range.left, range.bottom, range.right};
-    const uint32_t shown[3] = {(uint32_t)c->r << 7, (uint32_t)c->g << 7, (uint32_t)c->b << 7};
-    glint_channels_of(shown, colour[0]);
-    glint_finish_colours(&tile->frame->config, colour, 1);
     walk_along(target, &walk, &range, (const int32_t(*)[3])colour);
 }
 
-glint_status glint_lines_draw(const glint_tile *tile, const glint_segment *segments, uint32_t count) {
+/* ---- Smooth lines ---- */
+
+/* A smooth line has its length and width, 1/256 of a pixel; and how far a pixel's middle lies from the line's in both
+ * directions, Q20, at pixel 0, 0 of the screen, and its change from pixel to pixel. Their sums have 32 bits. */
+typedef struct smooth_line {
+    line_walk walk;
+    int32_t size[2];
+    uint32_t at[2], dx[2], dy[2];
+} smooth_line;
+
+/* Sets one direction: x and y of a unit vector, Q20. */
+static void set_direction(smooth_line *line, int i, const glint_segment *segment, int32_t x, int32_t y) {
+    const int32_t middle_x = 16 - segment->x[0] - segment->x[1], middle_y = 16 - segment->y[0] - segment->y[1];
+    line->at[i] = (uint32_t)glint_shift_right64(glint_product(middle_x, x) + glint_product(middle_y, y), 5);
+    line->dx[i] = (uint32_t)x;
+    line->dy[i] = (uint32_t)y;
+}
+
+/* Begins a smooth line. @return 0 where it has no length */
+static int begin_smooth(const line_target *target, const glint_segment *segment, smooth_line *line) {
+    begin_line(target, segment, &line->walk);
+    const line_walk *const walk = &line->walk;
+    const uint64_t square = (uint64_t)(glint_product(walk->du, walk->du) + glint_product(walk->dv, walk->dv));
+    const int64_t length = glint_square_root(square << 24); /* Q16 */
+    if (!length)
+        return 0;
+    const int32_t u = (int32_t)(((int64_t)walk->du << 32) / length),
+                  v = (int32_t)(walk->dv * ((int64_t)1 << 32) / length);
+    line->size[0] = (int32_t)(length >> 8);
+    line->size[1] = segment->width;
+    set_direction(line, 0, segment, walk->is_steep ? v : u, walk->is_steep ? u : v);
+    set_direction(line, 1, segment, walk->is_steep ? u : -v, walk->is_steep ? -v : u);
+    return 1;
+}
+
+/* Returns how much of a pixel is covered in a direction, by its distance from the middle, 1/256. */
+static inline int32_t cover_along(int32_t size, int32_t distance) {
+    const int32_t from_edge = (size >> 1) + 128 - (distance < 0 ? -distance : distance);
+    return glint_most(glint_least_of(256, size, from_edge), 0);
+}
+
+/* Blends a pixel that a smooth line covers in part, and whose middle lies so far along it from its middle, Q20. */
+static void blend_pixel(const line_target *target, const line_walk *walk, int32_t x, int32_t y, int32_t along_q20,
+                        int32_t unit, int32_t part, const int32_t colour[1][3]) {
+    const int32_t sixteenths = glint_shift_right(glint_shift_right(along_q20, 14) * glint_shift_right(unit, 8), 14),
+                  along = glint_most(glint_least(walk->du / 2 + sixteenths, walk->du), 0);
+    glint_canvas canvas;
+    uint32_t offset;
+    if (!find_nearer(target, x, y, walk->depth + glint_shift_right64(walk->slope * along, 16), &canvas, &offset))
+        return;
+    const uint32_t old = glint_read_pixel(&canvas, offset);
+    store_pixel(&canvas, offset, colour);
+    glint_mix_pixel(&canvas, offset, old, (uint32_t)(GLINT_WHOLE - part), 0);
+}
+
+static void draw_smooth_segment(const line_target *target, const glint_segment *segment) {
+    glint_range range;
+    smooth_line line;
+    int32_t colour[1][3];
+    if (!begin_segment(target->tile, segment, (segment->width >> 5) + 16, &range, colour) ||
+        !begin_smooth(target, segment, &line))
+        return;
+    const int32_t unit = (int32_t)(line.walk.is_steep ? line.dy[0] : line.dx[0]);
+    for (int32_t y = range.top; y < range.bottom; y++) {
+        uint32_t at[2];
+        for (int i = 0; i < 2; i++)
+            at[i] = line.at[i] + line.dx[i] * (uint32_t)range.left + line.dy[i] * (uint32_t)y;
+        for (int32_t x = range.left; x < range.right; x++, at[0] += line.dx[0], at[1] += line.dx[1]) {
+            const int32_t across = cover_along(line.size[1], glint_shift_right((int32_t)at[1], 12));
+            if (!across)
+                continue;
+            const int32_t along = cover_along(line.size[0], glint_shift_right((int32_t)at[0], 12)),
+                          part = (along * across + 128) >> 8;
+            if (part)
+                blend_pixel(target, &line.walk, x, y, (int32_t)at[0], unit, part, (const int32_t(*)[3])colour);
+        }
+    }
+}
+
+/* ---- All lines ---- */
+
+static glint_status draw_lines(const glint_tile *tile, const glint_segment *segments, uint32_t count,
+                               void (*draw)(const line_target *target, const glint_segment *segment)) {
     if (!tile || !tile->frame || !tile->workspace || (count && !segments))
         return GLINT_ERROR_NULL;
     const glint_view *const view = tile->frame->view;
     /* This is below 2^55. Parallel rays, whose w may have 54 bits, do not need it. */
-    const int64_t nearest = view->is_parallel ? 1 : view->nearest + view->nearest * (1 << 14) / view->focal;
+    const int64_t nearest =
+        view->is_parallel ? 1
+                          : view->nearest + view->nearest * (1 << (14 + glint_sample_shift(tile->frame))) / view->focal;
     const int32_t shift = (int32_t)glint_bits64((uint64_t)nearest) - 31;
     const uint32_t mantissa = (uint32_t)(shift > 0 ? nearest >> shift : nearest << -shift);
     const line_target target = {tile, mantissa, shift};
     for (uint32_t i = 0; i < count; i++)
-        if (segments[i].colour)
-            draw_segment(&target, &segments[i]);
+        draw(&target, &segments[i]);
     return GLINT_OK;
+}
+
+glint_status glint_lines_draw(const glint_tile *tile, const glint_segment *segments, uint32_t count) {
+    return draw_lines(tile, segments, count, draw_segment);
+}
+
+glint_status glint_lines_draw_smooth(const glint_tile *tile, const glint_segment *segments, uint32_t count) {
+    return draw_lines(tile, segments, count, draw_smooth_segment);
 }

@@ -104,8 +104,8 @@ static void finish_corner(const glint_frame *frame, const glint_transform *trans
     if (transform->clips & GLINT_PARALLEL)
         frame->scene->camera.projection->finish(frame->view, transform, vertex, 1);
     for (int c = 0; c < 3; c++) {
-        vertex->attribute[c] = (int16_t)corner->attribute[c];
-        extra[c] = (int16_t)corner->attribute[3 + c];
+        vertex->attribute[c] = corner->attribute[c];
+        extra[c] = corner->attribute[3 + c];
     }
 }
 
@@ -300,7 +300,7 @@ glint_status glint_bin(glint_frame *frame, int *complete) {
         if (binned <= 0)
             return (glint_status)binned;
     }
-    if (frame->draws && frame->triangle == frame->scene->objects[frame->object].mesh->triangle_count) {
+    if (frame->draws && frame->triangle == glint_object_at(frame, frame->object)->mesh->triangle_count) {
         frame->object++;
         frame->triangle = 0;
     }

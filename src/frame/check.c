@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /* Checks a configuration and a scene, all but the indices of its meshes, before a frame begins. */
+#include "../blend/blend.h"
 #include "../light/shading.h"
+#include "../light/wear.h"
 #include "../pixel/format.h"
 #include "frame.h"
 
@@ -18,8 +20,11 @@ glint_status glint_check_config(glint_config *config) {
         return GLINT_ERROR_NULL;
     if (config->width < 1 || config->width > GLINT_SIZE_MAX || config->height < 1 || config->height > GLINT_SIZE_MAX)
         return GLINT_ERROR_SIZE;
-    return complete_tile_size(&config->tile_width) && complete_tile_size(&config->tile_height) ? GLINT_OK
-                                                                                               : GLINT_ERROR_TILE;
+    if (!complete_tile_size(&config->tile_width) || !complete_tile_size(&config->tile_height))
+        return GLINT_ERROR_TILE;
+    const int is_large = config->width > GLINT_SIZE_MAX / 2 || config->height > GLINT_SIZE_MAX / 2 ||
+                         config->tile_width > GLINT_TILE_MAX / 2 || config->tile_height > GLINT_TILE_MAX / 2;
+    return config->samples && is_large ? GLINT_ERROR_SAMPLES : GLINT_OK;
 }
 
 glint_status glint_check_region(glint_config *config) {
@@ -80,15 +85,26 @@ static GLINT_NOINLINE glint_status check_mesh(const glint_mesh *mesh, const glin
     return cull ? cull->check(mesh) : GLINT_OK;
 }
 
-static glint_status check_material(const glint_material *material) {
+static glint_status check_material(const glint_config *config, const glint_material *material) {
     if (!material || !material->model)
         return GLINT_ERROR_NULL;
     if (!colour_is_valid(&material->ambient) || !colour_is_valid(&material->diffuse) ||
         !colour_is_valid(&material->specular))
         return GLINT_ERROR_COLOUR;
-    if (material->flags > (GLINT_MATERIAL_SPECULAR_UNGATED | GLINT_MATERIAL_MAX_WITH_AMBIENT))
+    if (material->flags >= 2 * GLINT_MATERIAL_BILINEAR)
         return GLINT_ERROR_FLAGS;
+    if (material->blend) {
+        const glint_status status = config->layers ? config->layers->check(material) : GLINT_ERROR_LAYERS;
+        if (status != GLINT_OK)
+            return status;
+    }
     return material->shininess < 0 ? GLINT_ERROR_SHININESS : GLINT_OK;
+}
+
+/* Checks a texture. The function that does it is linked with any type. */
+static glint_status check_texture(const glint_object *object) {
+    const glint_texture_type *type = object->material->texture->type;
+    return type ? type->stage->check(object->material, object->mesh) : GLINT_ERROR_NULL;
 }
 
 /* Checks that an object names where it is lit. An object of one colour need not. */
@@ -115,7 +131,9 @@ static glint_status check_objects(const glint_config *config, const glint_scene 
     for (uint32_t i = 0; i < scene->object_count; i++) {
         glint_status status = check_mesh(scene->objects[i].mesh, config);
         if (status == GLINT_OK)
-            status = check_material(scene->objects[i].material);
+            status = check_material(config, scene->objects[i].material);
+        if (status == GLINT_OK && scene->objects[i].material->texture)
+            status = check_texture(&scene->objects[i]);
         if (status == GLINT_OK)
             status = check_evaluation(&scene->objects[i]);
         if (status != GLINT_OK)
@@ -133,7 +151,9 @@ glint_status glint_check_scene(const glint_config *config, const glint_scene *sc
         return GLINT_ERROR_VIEWER;
     if (!colour_is_valid(&scene->background) || !colour_is_valid(&scene->ambient))
         return GLINT_ERROR_COLOUR;
-    const glint_status status = check_lights(scene);
+    glint_status status = check_lights(scene);
+    if (status == GLINT_OK && scene->fog)
+        status = scene->fog->type ? scene->fog->type->check(config, scene->fog) : GLINT_ERROR_NULL;
     return status == GLINT_OK ? check_objects(config, scene) : status;
 }
 
@@ -171,6 +191,12 @@ const char *glint_strerror(int status) {
         "the panel's controller cannot turn the picture so",
         "a layout's type does not serve its attribute",
         "a layout's stride is less than its type takes, or not aligned as that is, or its data are not",
+        "a texture's width or height is no power of two up to 1024, its key no texel, or its mesh lacks coordinates",
+        "a material's blend is unknown, or its opacity is not from 0 to 1",
+        "a material blends, or fog fades to a painted background, and the configuration has no layers",
+        "fog does not end behind its start, or starts in front of the eye",
+        "with samples, width or height is above 512, or a tile's above 32",
+        "a line's width is not from 0 to 64 pixels",
     };
     const int count = (int)(sizeof sentences / sizeof *sentences);
     return status > 0 || status <= -count ? "unknown status" : sentences[-status];

@@ -94,7 +94,7 @@ static void load(glint_frame *frame, glint_draw *draw, const glint_mesh *mesh) {
 
 static int bin(glint_bin_pass *pass, glint_draw *draw, uint32_t next) {
     glint_frame *const frame = pass->frame;
-    const glint_clusters *clusters = frame->scene->objects[draw->object].mesh->clusters;
+    const glint_clusters *clusters = glint_object_at(frame, draw->object)->mesh->clusters;
     int32_t end = 0;
     for (uint32_t i = 0; i < clusters->count; i++) {
         const int32_t begin = end;

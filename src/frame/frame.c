@@ -2,6 +2,7 @@
 /* Divides a scene into passes, each of which holds some tiles' triangles, or some triangles of one tile. */
 #include "frame.h"
 
+#include "../blend/blend.h"
 #include "../light/corners.h"
 #include "../light/evaluation.h"
 #include "../pixel/format.h"
@@ -79,6 +80,10 @@ static glint_status prepare_scene(glint_frame *frame, const glint_kept *kept) {
         status = prepare_materials(frame, kept);
     if (status == GLINT_OK && !take_corner_lights(frame))
         status = GLINT_ERROR_ARENA;
+    if (status == GLINT_OK && frame->config.layers)
+        status = frame->config.layers->prepare(frame);
+    if (status == GLINT_OK && frame->scene->fog)
+        status = frame->scene->fog->type->prepare(frame);
     if (status == GLINT_OK && glint_find_suns(frame->scene))
         status = glint_find_suns(frame->scene)->prepare(frame);
     if (status != GLINT_OK)
@@ -93,11 +98,8 @@ static uint16_t count_tiles_along(int32_t first, int32_t pixels, unsigned shift)
     return (uint16_t)(((first + pixels - 1) >> shift) - (first >> shift) + 1);
 }
 
-static glint_status begin_region(glint_frame *frame) {
+static void begin_region(glint_frame *frame) {
     const glint_rectangle *const region = &frame->config.region;
-    const glint_status status = glint_check_region(&frame->config);
-    if (status != GLINT_OK)
-        return status;
     const uint32_t rows = count_tiles_along(region->y, region->height, frame->tile_shift_y);
     frame->first_column = (uint16_t)(region->x >> frame->tile_shift_x);
     frame->first_row = (uint16_t)(region->y >> frame->tile_shift_y);
@@ -105,7 +107,6 @@ static glint_status begin_region(glint_frame *frame) {
     frame->tile_count = (uint16_t)(frame->tile_columns * rows);
     frame->right = (uint16_t)(region->x + region->width);
     frame->bottom = (uint16_t)(region->y + region->height);
-    return GLINT_OK;
 }
 
 glint_status glint_frame_grid(glint_frame *frame, const glint_config *config, const glint_scene *scene) {
@@ -113,13 +114,19 @@ glint_status glint_frame_grid(glint_frame *frame, const glint_config *config, co
     frame->config = *config;
     frame->scene = scene;
     glint_status status = glint_check_config(&frame->config);
+    if (status == GLINT_OK)
+        status = glint_check_region(&frame->config);
     if (status != GLINT_OK)
         return status;
+    frame->samples = config->samples;
+    frame->has_long_slopes = (uint8_t)glint_has_long_slopes(config);
+    if (frame->samples)
+        frame->samples->enlarge(&frame->config);
     frame->tile_shift_x = (uint8_t)tile_shift(frame->config.tile_width);
     frame->tile_shift_y = (uint8_t)tile_shift(frame->config.tile_height);
-    status = begin_region(frame);
+    begin_region(frame);
     frame->pass_tiles = frame->tile_count;
-    return status;
+    return GLINT_OK;
 }
 
 static glint_status begin_frame(glint_frame *frame, const glint_config *config, const glint_scene *scene) {

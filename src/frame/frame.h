@@ -5,7 +5,8 @@
 
 #include "../geometry/draw.h"
 
-/** Checks all of a configuration but its region, and fills defaults in. @return GLINT_ERROR_NULL, _SIZE or _TILE */
+/** Checks all of a configuration but its region, and fills defaults in. @return GLINT_ERROR_NULL, _SIZE, _TILE or
+ * _SAMPLES */
 glint_status glint_check_config(glint_config *config);
 
 /** Returns the number of a pass's tiles. */
@@ -94,9 +95,12 @@ int glint_find_tiles(const glint_frame *frame, const glint_vertex *const v[3], g
 /** Returns the bytes of arena that glint_render uses for tiles. */
 size_t glint_tile_buffers_size(const glint_config *config);
 
+/** Places the lights of a workspace where its rows are. */
+void glint_place_lights(glint_workspace *workspace);
+
 /** Takes these bytes from the arena of a configuration, and lays the workspace of glint_render out there. The pixels of
- * two tiles lie behind each other; all else lies before or behind both. @return the bytes */
-size_t glint_take_buffers(glint_config *config, glint_workspace *workspace);
+ * two tiles lie behind each other; all else lies before or behind both. */
+void glint_take_buffers(glint_config *config, glint_workspace *workspace);
 
 /** Pixels apart from the arena begin at multiples of so many bytes from the first. */
 #define GLINT_CACHE_LINE 64
@@ -106,8 +110,8 @@ size_t glint_second_pixels(const glint_config *config);
 
 /** Returns the bytes of arena that a draw of so many vertices and triangles uses, with its own index list if it has
  * one. */
-size_t glint_draw_size(const glint_frame *frame, const glint_object *object, const glint_transform *transform,
-                       size_t vertices, size_t triangles, int has_list);
+size_t glint_draw_size(const glint_frame *frame, const glint_object *object, int clips, size_t vertices,
+                       size_t triangles, int has_list);
 
 /** Does a tile show nothing but background, now that this pass is prepared? */
 int glint_tile_is_empty(const glint_frame *frame, uint32_t tile);

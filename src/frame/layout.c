@@ -53,7 +53,7 @@ static void transform_fetched(const glint_transform *transform, const glint_mesh
  * the flag of clipping may be set, and the numbers of vertices are in attribute[0]. */
 static void light_fetched(const glint_frame *frame, glint_draw *draw, const glint_transform *transform,
                           uint32_t triangle) {
-    const glint_mesh_layout *layout = frame->scene->objects[draw->object].mesh->layout;
+    const glint_mesh_layout *layout = glint_object_at(frame, draw->object)->mesh->layout;
     const uint16_t *const corners = draw->triangles[triangle];
     int16_t fetched[3][3];
     for (int corner = 0; corner < 3; corner++) {

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /* Loads the vertices of a frame's objects, where the arena holds them all; else parts.c loads parts of them. */
+#include "../blend/blend.h"
 #include "../light/evaluation.h"
+#include "../light/wear.h"
 #include "../pixel/format.h"
 #include "frame.h"
 
@@ -27,11 +29,11 @@ static size_t terms_size(const glint_frame *frame, const glint_object *object, c
     return evaluation->vertex_size ? evaluation->vertex_size(glint_shading_of(frame, object->material)) : 0;
 }
 
-size_t glint_draw_size(const glint_frame *frame, const glint_object *object, const glint_transform *transform,
-                       size_t vertices, size_t triangles, int has_list) {
+size_t glint_draw_size(const glint_frame *frame, const glint_object *object, int clips, size_t vertices,
+                       size_t triangles, int has_list) {
     const glint_evaluation *evaluation = evaluation_of(frame, object);
     size_t size = GLINT_ALIGNED(sizeof(glint_draw)) + GLINT_ALIGNED(vertices * sizeof(glint_vertex));
-    if (transform->clips)
+    if (clips)
         size += GLINT_ALIGNED(vertices * sizeof(glint_position));
     if (keeps_extra(evaluation, object))
         size += GLINT_ALIGNED(vertices * 3 * sizeof(int16_t));
@@ -66,7 +68,7 @@ static int is_of_one_colour(const glint_object *object, const glint_draw *draw) 
 /* Sets the one colour of an object. It is the last object's where both have one material. */
 static void set_flat(const glint_frame *frame, glint_draw *draw, const glint_draw *last) {
     int32_t colour[3];
-    if (last && last->shading == draw->shading && last->draw_triangle == draw->draw_triangle) {
+    if (last && last->shading == draw->shading && !last->light) {
         draw->flat = last->flat;
         draw->packed = last->packed;
         return;
@@ -78,7 +80,7 @@ static void set_flat(const glint_frame *frame, glint_draw *draw, const glint_dra
 
 glint_draw *glint_add_draw(glint_frame *frame, glint_draw *last, const glint_transform *transform, uint32_t vertices,
                            uint32_t triangles, size_t list) {
-    const glint_object *object = &frame->scene->objects[frame->object];
+    const glint_object *object = glint_object_at(frame, frame->object);
     const glint_evaluation *evaluation = evaluation_of(frame, object);
     glint_draw *draw = glint_take(&frame->memory, sizeof *draw);
     memset(draw, 0, offsetof(glint_draw, triangles));
@@ -94,15 +96,17 @@ glint_draw *glint_add_draw(glint_frame *frame, glint_draw *last, const glint_tra
     draw->evaluation = evaluation;
     draw->light = evaluation->light;
     draw->double_sided = (object->mesh->flags & GLINT_MESH_DOUBLE_SIDED) != 0;
-    draw->draw_triangle = evaluation->draw_triangle;
     draw->shading = glint_shading_of(frame, object->material);
     draw->unreached = find_unreached(frame, object, draw->shading->lights);
     if (is_of_one_colour(object, draw)) {
         draw->light = 0;
-        draw->draw_triangle = frame->config.format->flat;
         set_flat(frame, draw, last);
     }
-    draw->is_costly = !GLINT_SMALL && draw->light && evaluation->is_costly;
+    draw->texture = object->material->texture;
+    draw->draw_triangle = frame->config.layers ? frame->config.layers->draw : glint_drawer_of(frame, draw);
+    draw->fragments = draw->light && evaluation->is_costly ? GLINT_ARE_COSTLY : 0;
+    if (frame->has_long_slopes && draw->light && !draw->texture && evaluation->lit_at == GLINT_LIT_AT_FRAGMENTS)
+        draw->fragments |= GLINT_HAVE_LONG_SLOPES;
     draw->object = frame->object;
     draw->first_triangle = frame->triangle;
     draw->first = last ? (uint16_t)(last->first + last->count) : 0;
@@ -115,7 +119,7 @@ glint_draw *glint_add_draw(glint_frame *frame, glint_draw *last, const glint_tra
         draw->light = object->mesh->layout->normals.type->stage->light;
     draw->mirrored = transform->mirrored;
     draw->is_wide = glint_transform_is_wide(transform);
-    frame->has_costly = !GLINT_SMALL && (draw->is_costly || (last && frame->has_costly));
+    frame->has_costly = !GLINT_SMALL && ((draw->fragments & GLINT_ARE_COSTLY) || (last && frame->has_costly));
     if (last)
         last->next = draw;
     else
@@ -154,10 +158,11 @@ void glint_load_vertices(glint_frame *frame, glint_draw *draw, const glint_mesh 
 
 /* Loads all of an object. @return 0 when the arena is too full */
 static int load_whole(glint_frame *frame, glint_draw *last, const glint_transform *transform) {
-    const glint_object *object = &frame->scene->objects[frame->object];
+    const glint_object *object = glint_object_at(frame, frame->object);
     const glint_mesh *mesh = object->mesh;
     const uint32_t numbered = last ? (uint32_t)last->first + last->count : 0, count = mesh->triangle_count;
-    const size_t size = glint_draw_size(frame, object, transform, mesh->vertex_count, count, 0) + GLINT_BIN_RESERVE;
+    const size_t size =
+        glint_draw_size(frame, object, transform->clips, mesh->vertex_count, count, 0) + GLINT_BIN_RESERVE;
     if (size > frame->memory.high - GLINT_ALIGNED(frame->memory.low) || numbered + count > GLINT_TRIANGLES_MAX)
         return 0;
     glint_draw *draw = glint_add_draw(frame, last, transform, mesh->vertex_count, count, 0);
@@ -179,18 +184,19 @@ typedef char glint_last_transform_stays[sizeof(glint_transform) <= GLINT_BIN_RES
 static void find_transform(const glint_frame *frame, glint_transform *transform) {
     const uint32_t behind = frame->scene->object_count - 1 - frame->object;
     const uint8_t *const taken = frame->memory.base + frame->memory.low;
-    if (!behind ||
-        (!GLINT_SMALL && behind < frame->waiting && (const uint8_t *)(glint_last_transform(frame) - behind) >= taken)) {
+    if (!frame->order && (!behind || (!GLINT_SMALL && behind < frame->waiting &&
+                                      (const uint8_t *)(glint_last_transform(frame) - behind) >= taken))) {
         *transform = *(glint_last_transform(frame) - behind);
     } else {
-        glint_transform_prepare(transform, frame->view, &frame->config, &frame->scene->objects[frame->object]);
+        glint_transform_prepare(transform, frame->view, &frame->config, glint_object_at(frame, frame->object));
     }
     if (transform->visible)
         glint_transform_place(transform, frame->view);
 }
 
-/* Loads all objects. @return 0 when the arena is too small for them */
-static int load_all(glint_frame *frame) {
+/* Loads all objects. This is out of line, so that no transform is on the stack while parts are loaded. @return 0 when
+ * the arena is too small for them */
+static GLINT_NOINLINE int load_all(glint_frame *frame) {
     glint_draw *last = 0;
     for (; frame->object < frame->scene->object_count; frame->object++) {
         glint_transform transform;

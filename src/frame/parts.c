@@ -184,8 +184,8 @@ static glint_status find_extents(glint_frame *frame) {
     for (uint32_t i = 0; i < count; i++)
         extent[i] = (struct glint_extent){NO_END, NO_END, 0, 0};
     for (uint32_t i = 0; i < scene->object_count && status == GLINT_OK; i++) {
-        status = find_extents_of(frame, &scene->objects[i], extent);
-        extent += count_extents(frame, scene->objects[i].mesh->triangle_count);
+        status = find_extents_of(frame, glint_object_at(frame, i), extent);
+        extent += count_extents(frame, glint_object_at(frame, i)->mesh->triangle_count);
     }
     frame->stats.triangles = before.triangles; /* triangles are counted where they are drawn or dropped */
     frame->stats.facing_away = before.facing_away;
@@ -271,7 +271,7 @@ static uint32_t map_entries(uint32_t vertices) {
 /* Returns the bytes that a part of so many vertices and twice as many triangles uses, with all that waits. */
 static size_t part_size(const glint_frame *frame, const glint_object *object, const glint_transform *transform,
                         uint32_t vertices) {
-    return glint_draw_size(frame, object, transform, vertices, 2 * (size_t)vertices, 1) +
+    return glint_draw_size(frame, object, transform->clips, vertices, 2 * (size_t)vertices, 1) +
            2 * GLINT_ALIGNED(2 * vertices * sizeof(uint16_t)) + GLINT_ALIGNED(vertices * sizeof(uint16_t)) +
            GLINT_ALIGNED(map_entries(vertices) * sizeof(uint16_t));
 }
@@ -354,7 +354,7 @@ static int32_t find_triangles(glint_frame *frame, const strip *s, uint32_t first
 /* Adds the draw of a part whose triangles are found. */
 static glint_draw *add_part(glint_frame *frame, glint_draw *last, const glint_transform *transform,
                             const object_part *p) {
-    const glint_mesh *mesh = frame->scene->objects[frame->object].mesh;
+    const glint_mesh *mesh = glint_object_at(frame, frame->object)->mesh;
     const size_t list = GLINT_ALIGNED(p->triangles * sizeof *p->list);
     glint_draw *draw = glint_add_draw(frame, last, transform, p->vertices, p->triangles,
                                       list + GLINT_ALIGNED(p->triangles * sizeof *p->origin));
@@ -374,7 +374,7 @@ static glint_draw *add_part(glint_frame *frame, glint_draw *last, const glint_tr
 /* Counts triangles of an object, from one on, whose extents are in a strip. */
 static uint32_t count_shown(const glint_frame *frame, uint32_t object, uint32_t triangle, const strip *s,
                             uint32_t first_extent) {
-    const uint32_t count = frame->scene->objects[object].mesh->triangle_count, shift = frame->extent_shift;
+    const uint32_t count = glint_object_at(frame, object)->mesh->triangle_count, shift = frame->extent_shift;
     uint32_t shown = 0;
     if (!frame->extents)
         return count - triangle;
@@ -385,7 +385,7 @@ static uint32_t count_shown(const glint_frame *frame, uint32_t object, uint32_t 
 
 /* Loads a part of the present object behind the last draw. @return 1, 0 where not all fits, or an error */
 static int load_object(glint_frame *frame, glint_draw **last, const strip *s, uint32_t first_extent) {
-    const glint_object *object = &frame->scene->objects[frame->object];
+    const glint_object *object = glint_object_at(frame, frame->object);
     const uint32_t shown = count_shown(frame, frame->object, frame->triangle, s, first_extent);
     const uint32_t numbered = *last ? (uint32_t)(*last)->first + (*last)->count : 0;
     glint_sight *const sight = glint_sight_of(frame);
@@ -419,12 +419,12 @@ static int load_strip(glint_frame *frame, const strip *s) {
     frame->draws = 0;
     frame->memory.low = frame->prepared_end;
     for (uint32_t i = 0; i < frame->object; i++)
-        extent += count_extents(frame, scene->objects[i].mesh->triangle_count);
+        extent += count_extents(frame, glint_object_at(frame, i)->mesh->triangle_count);
     for (; frame->object < scene->object_count; frame->object++, frame->triangle = 0) {
         loaded = load_object(frame, &last, s, extent);
         if (loaded <= 0)
             break;
-        extent += count_extents(frame, scene->objects[frame->object].mesh->triangle_count);
+        extent += count_extents(frame, glint_object_at(frame, frame->object)->mesh->triangle_count);
     }
     return loaded == 0 && !last ? GLINT_ERROR_ARENA : loaded;
 }
@@ -437,7 +437,7 @@ static uint32_t count_all_shown(const glint_frame *frame, uint32_t tiles) {
     uint32_t shown = 0, extent = 0;
     for (uint32_t i = 0; i < frame->scene->object_count; i++) {
         shown += count_shown(frame, i, 0, &s, extent);
-        extent += count_extents(frame, frame->scene->objects[i].mesh->triangle_count);
+        extent += count_extents(frame, glint_object_at(frame, i)->mesh->triangle_count);
     }
     return shown;
 }

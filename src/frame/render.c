@@ -89,7 +89,7 @@ static glint_status render_passes(glint_frame *frame, glint_workspace *workspace
     return (glint_status)pass;
 }
 
-size_t glint_take_buffers(glint_config *config, glint_workspace *workspace) {
+void glint_take_buffers(glint_config *config, glint_workspace *workspace) {
     uint8_t *const memory = glint_align(config->arena);
     const size_t size = glint_tile_buffers_size(config);
     glint_workspace_init(workspace, config, memory);
@@ -99,35 +99,41 @@ size_t glint_take_buffers(glint_config *config, glint_workspace *workspace) {
     } else if (config->flush.wait) {
         workspace->row = (void *)((uint8_t *)workspace->pixels + 2 * glint_second_pixels(config));
     }
-    workspace->lamps = (void *)workspace->row;
+    glint_place_lights(workspace);
     config->arena = memory + size;
     config->arena_size -= size; /* glint_frame_begin gives up the bytes that aligning costs */
-    return size;
+}
+
+/* Begins a frame in what the tiles' buffers leave of the arena. This is out of line, so that its configuration is not
+ * on the stack while tiles are drawn. */
+static GLINT_NOINLINE glint_status begin_rendering(glint_frame *frame, glint_workspace *workspace,
+                                                   const glint_renderer *renderer, const glint_scene *scene) {
+    glint_config config = renderer->config;
+    glint_take_buffers(&config, workspace);
+    return glint_frame_begin(frame, &config, scene);
 }
 
 glint_status glint_render(glint_renderer *renderer, const glint_scene *scene) {
     if (!renderer || !scene || !renderer->config.flush.begin)
         return GLINT_ERROR_NULL;
-    glint_config config = renderer->config;
     glint_frame frame;
     glint_workspace workspace;
-    const size_t buffers = glint_take_buffers(&config, &workspace);
     frame.shading = renderer->kept.shadings;
     frame.shading_count = renderer->kept.count;
     frame.prepared_end = renderer->kept.end;
     renderer->stats = (glint_stats){0};
     renderer->kept = (glint_kept){0};
-    glint_status status = glint_frame_begin(&frame, &config, scene);
+    glint_status status = begin_rendering(&frame, &workspace, renderer, scene);
     if (status != GLINT_OK)
         return status;
     renderer->kept = (glint_kept){frame.shading, frame.shading_count, frame.prepared_end};
     uint8_t *first = workspace.pixels;
-    uint8_t *second = config.flush.wait ? first + glint_second_pixels(&config) : first;
-    sender s = {&config.flush, {first, second}, 0, 0, 0};
+    uint8_t *second = frame.config.flush.wait ? first + glint_second_pixels(&frame.config) : first;
+    sender s = {&frame.config.flush, {first, second}, 0, 0, 0};
     status = render_passes(&frame, &workspace, &s);
     if (wait_for_flush(&s) && status == GLINT_OK)
         status = GLINT_ERROR_FLUSH;
-    frame.stats.arena_used += (uint32_t)(buffers + GLINT_ALIGNMENT - 1);
+    frame.stats.arena_used += (uint32_t)(glint_tile_buffers_size(&frame.config) + GLINT_ALIGNMENT - 1);
     frame.stats.flush_error = s.error;
     renderer->stats = frame.stats;
     return status;

@@ -1,7 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 /* Draws the triangles that a pass lists for one tile, into buffers that this file measures and lays out. */
+#include "../blend/blend.h"
 #include "../light/evaluation.h"
-#include "../light/lamps.h"
+#include "../light/room.h"
+#include "../light/wear.h"
 #include "../pixel/pixel.h"
 #include "../raster/depth.h"
 #include "frame.h"
@@ -14,14 +16,16 @@ size_t glint_row_bytes(const glint_format *format, uint32_t width) {
 
 /* Returns the bytes of a tile's pixels. */
 static size_t size_pixels(const glint_config *config) {
-    return glint_row_bytes(config->format, config->tile_width) * config->tile_height;
+    return glint_row_bytes(config->format, config->tile_width) * config->tile_height << glint_sample_bits(config);
 }
 
-/* Returns the bytes of a tile's depth, and of rows. */
+/* Returns the bytes of a tile's depth, of rows, and of layers. */
 static size_t size_depth(const glint_config *config) {
-    const size_t rows = 2 * config->tile_width * sizeof(int32_t[3]);
-    return (rows < sizeof(glint_lamps) ? sizeof(glint_lamps) : rows) +
-           (size_t)config->tile_width * config->tile_height * sizeof(uint16_t);
+    const size_t rows = 2 * config->tile_width * sizeof(int32_t[3]) << glint_sample_bits(config) / 2;
+    const size_t light = sizeof(glint_lamps) + sizeof(glint_lit_room);
+    const size_t pixels = (size_t)config->tile_width * config->tile_height << glint_sample_bits(config);
+    return (rows < light ? light : rows) + pixels * sizeof(uint16_t) +
+           (config->layers ? config->layers->size(config) : 0);
 }
 
 size_t glint_workspace_size(const glint_config *config) {
@@ -58,14 +62,20 @@ static uint32_t or_default(uint32_t size) {
     return size ? size : GLINT_TILE_DEFAULT;
 }
 
+void glint_place_lights(glint_workspace *workspace) {
+    workspace->lamps = (void *)workspace->row;
+    workspace->room = (void *)(workspace->lamps + 1);
+    workspace->layer = (void *)(workspace->room + 1);
+}
+
 void glint_workspace_init(glint_workspace *workspace, const glint_config *config, void *memory) {
     const uint32_t width = or_default(config->tile_width), height = or_default(config->tile_height);
     workspace->depth = memory;
-    workspace->pixels = workspace->depth + width * height;
+    workspace->pixels = workspace->depth + (width * height << glint_sample_bits(config));
     workspace->stride = glint_row_bytes(config->format, width);
-    void *const last = (uint8_t *)workspace->pixels + workspace->stride * height;
+    void *const last = (uint8_t *)workspace->pixels + (workspace->stride * height << glint_sample_bits(config));
     workspace->row = last;
-    workspace->lamps = last;
+    glint_place_lights(workspace);
     workspace->spare = (glint_spare){0, 0, 0};
 }
 
@@ -76,17 +86,19 @@ static void find_first_pixel(const glint_frame *frame, uint32_t tile, int *x, in
     *y = (int)((row + frame->first_row) << frame->tile_shift_y);
 }
 
-/* Finds where a tile lies, and how far its part of the region begins from its first pixel. */
+/* Finds where a tile lies, and how far its part of the region begins from its first pixel, in pixels that are sent. */
 static void cut_tile(const glint_frame *frame, uint32_t tile, glint_tile *to, uint32_t *across, uint32_t *down) {
     const glint_config *const config = &frame->config;
+    const unsigned shift = glint_sample_shift(frame);
     int x, y;
     find_first_pixel(frame, tile, &x, &y);
-    to->x = glint_most(x, config->region.x);
-    to->y = glint_most(y, config->region.y);
-    to->width = glint_least(x + config->tile_width, frame->right) - to->x;
-    to->height = glint_least(y + config->tile_height, frame->bottom) - to->y;
-    *across = (uint32_t)(to->x - x);
-    *down = (uint32_t)(to->y - y);
+    const int left = glint_most(x, config->region.x), top = glint_most(y, config->region.y);
+    to->x = left >> shift;
+    to->y = top >> shift;
+    to->width = (glint_least(x + config->tile_width, frame->right) - left) >> shift;
+    to->height = (glint_least(y + config->tile_height, frame->bottom) - top) >> shift;
+    *across = (uint32_t)(left - x) >> shift;
+    *down = (uint32_t)(top - y) >> shift;
 }
 
 void glint_tile_find(const glint_frame *frame, const glint_workspace *workspace, uint32_t tile, glint_tile *to) {
@@ -96,7 +108,7 @@ void glint_tile_find(const glint_frame *frame, const glint_workspace *workspace,
     to->stride = workspace->stride;
     to->pixels =
         (uint8_t *)workspace->pixels + down * to->stride + (format->edge[1] ? across : across * format->bits / 8);
-    to->depth_stride = frame->config.tile_width;
+    to->depth_stride = (size_t)frame->config.tile_width >> glint_sample_shift(frame);
     to->depth = workspace->depth + down * to->depth_stride + across;
     to->frame = frame;
     to->workspace = workspace;
@@ -123,7 +135,7 @@ void glint_repeat(void *bytes, size_t period, size_t size) {
 /* The loop below fills blocks of this size. */
 #define FILL_BLOCK 64
 
-void glint_fill_words(void *bytes, uint32_t word, size_t size) {
+GLINT_HOT void glint_fill_words(void *bytes, uint32_t word, size_t size) {
 #if defined(__GNUC__) && defined(__arm__) && !GLINT_SMALL
     if (size % FILL_BLOCK == 0) { /* no compiler makes these instructions of C */
         register uint32_t a __asm__("r2") = word, b __asm__("r3") = word, c __asm__("r4") = word,
@@ -153,8 +165,12 @@ static int paint(const glint_painter *painter, const glint_frame *frame, const g
 /* Fills a tile with background. @return not 0 where the painter failed */
 static int clear(const glint_frame *frame, glint_workspace *workspace, uint32_t tile) {
     const glint_config *config = &frame->config;
-    if (config->background.paint)
-        return paint(&config->background, frame, workspace, tile);
+    if (config->background.paint) {
+        const int failed = paint(&config->background, frame, workspace, tile);
+        if (frame->samples)
+            frame->samples->spread(frame, workspace->pixels);
+        return failed;
+    }
     const glint_colour *background = &frame->scene->background;
     const uint32_t shown[3] = {(uint32_t)background->r << 7, (uint32_t)background->g << 7,
                                (uint32_t)background->b << 7};
@@ -268,16 +284,26 @@ static inline void find_triangle(glint_row_walk *walk, plain_triangles *plain, u
         turn_round(&walk->triangle, walk->draw);
 }
 
-/* Places a tile. It is drawn from its first pixel on, wherever the region begins, to the region's end. */
+/* Colours of so many columns, from a multiple on, may be interpolated together, if enough of them are drawn. */
+#define COLUMNS_TOGETHER 8
+
+/* Places a tile. It is drawn from its first pixel on, wherever the region begins, to the region's end, and as far
+ * beyond as columns are drawn together: so that how they are does not depend on the region. */
 static void place_tile(const glint_frame *frame, glint_window *window, uint32_t tile) {
     const glint_config *const config = &frame->config;
+    const int32_t right = glint_least(config->width, (frame->right + COLUMNS_TOGETHER - 1) & -COLUMNS_TOGETHER);
     int x, y;
     find_first_pixel(frame, tile, &x, &y);
-    glint_window_begin(window, x, y, glint_least(config->tile_width, frame->right - x),
+    glint_window_begin(window, x, y, glint_least(config->tile_width, right - x),
                        glint_least(config->tile_height, frame->bottom - y));
 }
 
 /* ---- Hidden draws ---- */
+
+/* Does a draw hide nothing behind its pixels, or not all? */
+static inline int lets_through(const glint_frame *frame, const glint_draw *draw) {
+    return glint_has_holes(draw) || (frame->config.layers && draw->shading->material->blend);
+}
 
 /* Hides what lies behind a span: stores its depth, less a step, so that the span itself is still nearer. */
 static void hide_span(glint_row_walk *walk, int32_t row, int32_t left, int32_t right) {
@@ -313,9 +339,9 @@ static GLINT_NOINLINE void hide_objects(const glint_frame *frame, glint_row_walk
     for (glint_reference *before = list, *here; before->next != GLINT_LIST_END; before = here) {
         here = &references[before->next];
         find_triangle(walk, &plain, here->triangle);
-        if (walk->draw->object < behind && walk->draw->is_costly)
+        if (walk->draw->object < behind && walk->draw->fragments & GLINT_ARE_COSTLY)
             behind = walk->draw->object;
-        if (walk->draw->object <= behind)
+        if (walk->draw->object <= behind || lets_through(frame, walk->draw))
             continue;
         walk->packed = 0;
         walk->draw_span = begin_hiding;
@@ -338,8 +364,10 @@ static GLINT_NOINLINE void draw_triangles(const glint_frame *frame, glint_worksp
     place_tile(frame, &part.window, tile);
     glint_walk_begin_tile(&walk, frame, workspace, &part);
     glint_walk_begin_format(&walk, &frame->config);
+    walk.list = &workspace->room->list;
+    walk.suns = &workspace->room->of.suns;
     begin_draw(&walk, frame->draws);
-    if (!GLINT_SMALL && frame->has_costly) {
+    if (!GLINT_SMALL && frame->has_costly && (frame->starts || !frame->config.layers)) { /* no layer is begun */
         hide_objects(frame, &walk, list);
         begin_draw(&walk, frame->draws);
     }
@@ -351,8 +379,35 @@ static GLINT_NOINLINE void draw_triangles(const glint_frame *frame, glint_worksp
     }
 }
 
+/* Finishes layers and fog, where there are any. @return not 0 where the background's painter failed */
+static int finish_blended(const glint_frame *frame, glint_workspace *workspace) {
+    const glint_fog *const fog = frame->scene->fog;
+    if (frame->config.layers)
+        return frame->config.layers->finish(frame, workspace);
+    if (fog)
+        fog->type->fade(frame, workspace->depth, workspace->pixels, 0, 0,
+                        (uint32_t)frame->config.tile_width << frame->tile_shift_y);
+    return 0;
+}
+
+/* Finishes a tile that is drawn. @return 1, or GLINT_ERROR_PAINT */
+static int end_tile(const glint_frame *frame, glint_workspace *workspace, uint32_t tile) {
+    const glint_painter *const overlay = &frame->config.overlay;
+    if (!glint_tile_is_empty(frame, tile) && finish_blended(frame, workspace))
+        return GLINT_ERROR_PAINT;
+    if (frame->samples) {
+        frame->samples->average(frame, workspace->pixels);
+        if (overlay->paint)
+            frame->samples->keep_nearest(frame, workspace->depth);
+    }
+    return overlay->paint && paint(overlay, frame, workspace, tile) ? GLINT_ERROR_PAINT : 1;
+}
+
 int glint_render_tile(const glint_frame *frame, glint_workspace *workspace, uint32_t tile) {
+    const glint_layer_stage *const layers = frame->config.layers;
     if (frame->starts) {
+        if (layers)
+            layers->begin(workspace, tile);
         if (clear(frame, workspace, tile))
             return GLINT_ERROR_PAINT;
         if (!glint_tile_is_empty(frame, tile) || frame->config.overlay.paint)
@@ -361,7 +416,5 @@ int glint_render_tile(const glint_frame *frame, glint_workspace *workspace, uint
     }
     if (frame->references[tile - frame->tile_first].next != GLINT_LIST_END)
         draw_triangles(frame, workspace, tile);
-    if (frame->ends && frame->config.overlay.paint && paint(&frame->config.overlay, frame, workspace, tile))
-        return GLINT_ERROR_PAINT;
-    return frame->ends;
+    return frame->ends ? end_tile(frame, workspace, tile) : 0;
 }

@@ -39,7 +39,7 @@ static void cut(const glint_corner *from, const glint_corner *to, int64_t inside
     out->position.y = mix_ends(from->position.y, to->position.y, t);
     out->position.w = mix_ends(from->position.w, to->position.w, t);
     for (int i = 0; i < 6; i++)
-        out->attribute[i] = mix_ends(from->attribute[i], to->attribute[i], t);
+        out->attribute[i] = (int16_t)mix_ends(from->attribute[i], to->attribute[i], t);
 }
 
 static int clip_at(const glint_transform *transform, int plane, const glint_corner *in, int count, glint_corner *out) {

@@ -26,6 +26,9 @@ struct glint_row_walk;
 /** Draws the pixels of a row of the tile from column `left` to before `right`; there is at least one. */
 typedef void glint_draw_span(struct glint_row_walk *walk, int32_t row, int32_t left, int32_t right);
 
+/** Hidden fragments should not be begun; and slopes serve triangles that are not small (raster/triangle.h). */
+enum { GLINT_ARE_COSTLY = 1, GLINT_HAVE_LONG_SLOPES = 2 };
+
 /** A draw is an object, or a part of its triangles. */
 typedef struct glint_draw {
     struct glint_draw *next;
@@ -41,6 +44,7 @@ typedef struct glint_draw {
     const glint_cull *cull;       /* what drops the mesh's clusters, or null */
     const struct glint_shading *shading;
     const glint_evaluation *evaluation;
+    const glint_texture *texture;                       /* that it wears, or null */
     glint_light_triangle *light;                        /* lights a triangle before it is drawn, or null */
     void (*draw_triangle)(struct glint_row_walk *walk); /* draws the part of a triangle that lies in a tile */
     uint32_t vertex_count;
@@ -52,11 +56,38 @@ typedef struct glint_draw {
     uint16_t count;
     uint8_t mirrored, double_sided;
     uint8_t is_wide;   /* whether 1/w of a triangle may differ by a factor above 8, or rays are parallel */
-    uint8_t is_costly; /* whether fragments are lit: hidden ones should not be begun */
+    uint8_t fragments; /* GLINT_ARE_COSTLY and GLINT_HAVE_LONG_SLOPES, or 0 where none are lit */
     glint_lanes flat;  /* of objects of one colour: the colour, and its pixel */
     uint32_t packed;
     glint_transform transform;
 } glint_draw;
+
+/** Returns the object that a frame draws at a place of its order. */
+static inline const glint_object *glint_object_at(const glint_frame *frame, uint32_t place) {
+    return &frame->scene->objects[frame->order ? frame->order[place] : place];
+}
+
+/** Samples are drawn as the pixels of a frame of twice the width and height. All that is public counts pixels. */
+struct glint_sampling {
+    /** Makes a configuration that has been checked one of samples, without `samples`. */
+    void (*enlarge)(glint_config *config);
+    /** Makes a tile of samples of the background's pixels. */
+    void (*spread)(const glint_frame *frame, void *pixels);
+    /** Makes pixels of a tile's samples. */
+    void (*average)(const glint_frame *frame, void *pixels);
+    /** Makes the depth of pixels of that of samples. */
+    void (*keep_nearest)(const glint_frame *frame, uint16_t *depth);
+};
+
+/** Returns the binary logarithm of samples a pixel. */
+static inline unsigned glint_sample_bits(const glint_config *config) {
+    return config->samples ? 2 : 0;
+}
+
+/** Returns that of samples a pixel in x, and in y. */
+static inline unsigned glint_sample_shift(const glint_frame *frame) {
+    return frame->samples != 0;
+}
 
 /** Brings a vertex's normal to camera space. */
 void glint_transform_normal(const glint_draw *draw, glint_vertex *vertex);

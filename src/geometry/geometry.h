@@ -45,7 +45,7 @@ void glint_project(const glint_transform *transform, const glint_position *posit
 /** A corner is on its way through clipping. */
 typedef struct glint_corner {
     glint_position position;
-    int32_t attribute[6]; /* a vertex's attribute and its extra one; normals get shorter where interpolated */
+    int16_t attribute[6]; /* a vertex's attribute and its extra one; normals get shorter where interpolated */
 } glint_corner;
 
 /**

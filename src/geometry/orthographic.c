@@ -86,5 +86,12 @@ static int32_t distance_of(const glint_view *view, int32_t depth) {
     return range->far_ray - (int32_t)glint_shift_right64(glint_product(depth, range->range_ray), 31);
 }
 
-const glint_projection glint_orthographic = {is_valid_view, find_same_w, set_range,
-                                             finish_depths, distance_of, depth_of_w};
+static void get_range(const glint_view *view, int64_t *farthest, int64_t *range) {
+    const glint_depth_range *const from = range_of(view);
+    const int64_t mantissa = ((int64_t)1 << 61) / from->scale;
+    *farthest = far_of(from);
+    *range = from->shift > 0 ? mantissa << from->shift : mantissa >> -from->shift;
+}
+
+const glint_projection glint_orthographic = {is_valid_view, find_same_w, set_range, finish_depths,
+                                             distance_of,   depth_of_w,  get_range};

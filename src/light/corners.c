@@ -5,6 +5,7 @@
  * evaluations.
  */
 #include "corners.h"
+#include "wear.h"
 
 #include "../geometry/geometry.h"
 #include "../pixel/format.h"
@@ -211,7 +212,7 @@ static void set_areas(const glint_vector *extent, int32_t area[3]) {
 static void bring_lights(const glint_frame *frame, const glint_draw *draw, glint_corner_lights *to) {
     const glint_shading *shading = draw->shading;
     const uint32_t lights = shading->lights & ~draw->unreached, flags = shading->material->flags;
-    const glint_object *object = &frame->scene->objects[draw->object];
+    const glint_object *object = glint_object_at(frame, draw->object);
     const glint_vector *extent = &object->mesh->extent;
     glint_corner_space space;
     to->object = draw->object + 1;
@@ -396,6 +397,21 @@ static inline void set_point_to_vertex(const glint_draw *draw, const glint_corne
     set_point_normal(draw, lights, normal[0], normal[1], normal[2], point);
 }
 
+/* Stores light that a texture is still to multiply. */
+static GLINT_NOINLINE void store_worn(const uint32_t colour[3], int16_t to[3]) {
+    for (int c = 0; c < 3; c++)
+        to[c] = (int16_t)((colour[c] < 1u << 23 ? colour[c] : 1u << 23) / 512 + GLINT_WORN_MARGIN);
+}
+
+/* Stores a corner's colour. */
+static inline void store_corner(const glint_frame *frame, const glint_draw *draw, const uint32_t colour[3],
+                                int16_t to[3]) {
+    if (draw->texture)
+        store_worn(colour, to);
+    else
+        glint_finish_corner(&frame->config, colour, to);
+}
+
 /* Finds the colour of vertex `slot` of a draw, and of double-sided meshes also its colour from behind. */
 static void light_one_vertex(const glint_frame *frame, const glint_draw *draw, const glint_corner_lights *lights,
                              uint32_t slot) {
@@ -413,13 +429,13 @@ static void light_one_vertex(const glint_frame *frame, const glint_draw *draw, c
     }
     vertex->flags |= GLINT_VERTEX_NORMAL;
     light_point(lights, &point, surface, colour);
-    glint_finish_corner(&frame->config, colour, vertex->attribute);
+    store_corner(frame, draw, colour, vertex->attribute);
     if (!draw->double_sided || !draw->extra)
         return;
     for (int i = 0; i < 3 && lights->count; i++)
         point.normal[i] = -point.normal[i];
     light_point(lights, &point, surface, colour);
-    glint_finish_corner(&frame->config, colour, draw->extra[slot]);
+    store_corner(frame, draw, colour, draw->extra[slot]);
 }
 
 /* Lights the vertices of a triangle that are not lit yet. */
@@ -540,7 +556,10 @@ static void light_facet(const glint_frame *frame, glint_draw *draw, const glint_
         surface = mean;
     }
     light_point(lights, &point, surface, colour);
-    glint_finish_facet(&frame->config, colour, draw->facets[triangle]);
+    if (draw->texture)
+        store_worn(colour, draw->facets[triangle]);
+    else
+        glint_finish_facet(&frame->config, colour, draw->facets[triangle]);
 }
 
 const glint_evaluation glint_per_facet = {

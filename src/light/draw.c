@@ -9,6 +9,7 @@
 #include "../pixel/pixel.h"
 #include "../raster/small.h"
 #include "evaluation.h"
+#include "wear.h"
 
 /* ---- One colour ---- */
 
@@ -43,8 +44,16 @@ static GLINT_NOINLINE void divide_colour(const int32_t over_w[4], int16_t colour
         colour[c] = divide_channel(over_w[c], zeros, reciprocal);
 }
 
+void glint_divide_at(const glint_row_walk *walk, int32_t row, int32_t column, int16_t colour[3]) {
+    const int32_t x = walk->part->x + column, y = walk->part->y + row;
+    const int32_t over_w[4] = {glint_plane_at(&walk->channel[0], x, y), glint_plane_at(&walk->channel[1], x, y),
+                               glint_plane_at(&walk->channel[2], x, y), glint_plane_at(&walk->w, x, y)};
+    divide_colour(over_w, colour);
+}
+
 /* Draws a span whose colours are divided at each pixel. */
-static GLINT_NOINLINE void draw_divided_pixels(glint_row_walk *walk, int32_t row, int32_t left, int32_t right) {
+static GLINT_HOT GLINT_NOINLINE void draw_divided_pixels(glint_row_walk *walk, int32_t row, int32_t left,
+                                                         int32_t right) {
     const glint_config *config = &walk->frame->config;
     const glint_plane *const c = walk->channel;
     const int32_t x = walk->part->x + left, y = walk->part->y + row;
@@ -63,6 +72,16 @@ static GLINT_NOINLINE void draw_divided_pixels(glint_row_walk *walk, int32_t row
             over_w[i] = glint_add_wrap(over_w[i], c[i].dx);
         over_w[3] = glint_add_wrap(over_w[3], walk->w.dx);
     }
+}
+
+/* Return what draws spans of colours that are linear on the screen, and of those that are divided. */
+static inline glint_draw_span *smooth_of(const glint_row_walk *walk) {
+    const glint_texture *texture = walk->draw->texture;
+    return texture ? texture->type->stage->smooth : walk->frame->config.format->smooth;
+}
+static inline glint_draw_span *divided_of(const glint_row_walk *walk) {
+    const glint_texture *texture = walk->draw->texture;
+    return texture ? texture->type->stage->divided : draw_divided_pixels;
 }
 
 /* Returns the larger of a number and the magnitude of another. */
@@ -130,14 +149,14 @@ static void draw_between(glint_row_walk *walk, const colour_node *a, const colou
     to[2] = (glint_lanes){0, 0};
     to[0].red_blue -= to[1].red_blue * x;
     to[0].green -= to[1].green * x;
-    walk->frame->config.format->smooth(walk, row, left, right);
+    smooth_of(walk)(walk, row, left, right);
 }
 
 /* In chunks of this many visible columns, two nodes cost less than dividing each pixel. */
 #define CHUNK_LEAST 4
 
 /* Draws a span in short chunks. */
-static void draw_chunks(glint_row_walk *walk, int32_t row, int32_t left, int32_t right) {
+static GLINT_HOT void draw_chunks(glint_row_walk *walk, int32_t row, int32_t left, int32_t right) {
     int32_t column = glint_shift_right(left, CHUNK_SHIFT) * (1 << CHUNK_SHIFT), known = -1;
     colour_node a, b = {{0, 0, 0}, 0};
     for (; left < right; column += 1 << CHUNK_SHIFT) {
@@ -154,7 +173,7 @@ static void draw_chunks(glint_row_walk *walk, int32_t row, int32_t left, int32_t
         if (is_linear)
             draw_between(walk, &a, &b, column, CHUNK_SHIFT, row, left, end);
         else
-            draw_divided_pixels(walk, row, left, end);
+            divided_of(walk)(walk, row, left, end);
         left = end;
     }
 }
@@ -182,7 +201,8 @@ static inline const int16_t *colour_at(const glint_row_walk *walk, uint32_t corn
 }
 
 /* Sets the planes of 1/w, scaled so that the largest is from 2^30 to 2^31, and of channels times this times 2^-16; and
- * chooses what draws spans. */
+ * chooses what draws spans. 1/w is limited to the largest depth, which lowers it by at most 2^-15: so rounding keeps
+ * the plane below 2^31. That of parallel rays, which is above, becomes the same at all corners. */
 static GLINT_NOINLINE void begin_divided(glint_row_walk *walk) {
     const glint_config *config = &walk->frame->config;
     const glint_vertex *const *v = walk->triangle.corners;
@@ -193,7 +213,7 @@ static GLINT_NOINLINE void begin_divided(glint_row_walk *walk) {
     if (walk->has_slopes)
         glint_setup(walk->part, &walk->triangle);
     for (int i = 0; i < 3; i++)
-        w[i] = glint_shift_left(v[i]->inverse_w, up);
+        w[i] = glint_least(glint_shift_left(v[i]->inverse_w, up), GLINT_DEPTH_TOP);
     glint_plane_begin(&walk->w, g, w[0], w[1], w[2]);
     uint32_t steps = glint_magnitude_bits(walk->w.dx);
     for (int c = 0; c < 3; c++) {
@@ -204,7 +224,7 @@ static GLINT_NOINLINE void begin_divided(glint_row_walk *walk) {
     }
     /* chunks do not serve if planes are so steep that they may wrap within one */
     if (config->gamma || config->format->is_dithered || walk->is_deep || steps >> (31 - CHUNK_SHIFT))
-        walk->draw_span = draw_divided_pixels;
+        walk->draw_span = divided_of(walk);
     else
         walk->draw_span =
             g->reach < LONG_CHUNK_REACH || steps >> (31 - LONG_CHUNK_SHIFT) ? draw_chunks : draw_long_chunks;
@@ -339,7 +359,7 @@ static void begin_large_colours(glint_row_walk *walk) {
         return;
     }
     begin_gradients(walk);
-    walk->draw_span = walk->frame->config.format->smooth;
+    walk->draw_span = smooth_of(walk);
 }
 
 /* Returns whether the colours of a small triangle may be linear on the screen, given 1/w at a corner and its
@@ -388,6 +408,13 @@ static GLINT_NOINLINE int begin_small_colours(glint_row_walk *walk) {
     const lane green = lane_of_slopes(&s, a[1], b[1] - a[1], c[1] - a[1]);
     set_green(walk->lanes, &green, x, y);
     return 1;
+}
+
+void glint_begin_interpolated(glint_row_walk *walk) {
+    if (!walk->has_slopes)
+        begin_large_colours(walk);
+    else if (begin_small_colours(walk))
+        walk->draw_span = smooth_of(walk);
 }
 
 /* Sets depth and colours of a triangle, and draws its first span. */

@@ -6,6 +6,7 @@
 #include "../pixel/format.h"
 #include "../raster/small.h"
 #include "evaluation.h"
+#include "wear.h"
 
 /* ---- A draw's lights ---- */
 
@@ -107,12 +108,12 @@ static GLINT_NOINLINE void set_lamps(glint_row_walk *walk) {
     lamps->near_gate = lamps->gate ? lamps->gate : -GATE_MARGIN;
     lamps->far_gate = lamps->gate ? lamps->gate : GATE_MARGIN;
     lamps->takes_most = (shading->material->flags & GLINT_MATERIAL_MAX_WITH_AMBIENT) != 0;
-    lamps->has_colours = draw->extra != 0;
+    lamps->has_colours = draw->extra || draw->texture;
     lamps->is_local = view->local_viewer;
     lamps->least_view = view->local_viewer ? 1u << 28 : UINT32_MAX;
     set_highlights(lamps, glint_green_bits(frame->config.format) > 6);
     lamps->headroom = (uint8_t)find_headroom(shading, lamps->has_colours);
-    lamps->needs_w = lamps->has_colours;
+    lamps->needs_w = draw->extra != 0;
     lamps->has_gloss = 0;
     lamps->placed = 0;
     lamps->unit = 32;
@@ -175,7 +176,7 @@ void glint_set_lamps_unit(const glint_row_walk *walk, int32_t unit) {
 GLINT_NOINLINE void glint_light_listed(const glint_row_walk *walk) {
     glint_lamp_list *list = walk->list;
     const glint_config *config = &walk->frame->config;
-    glint_lit_fragment *f = list->fragment;
+    glint_lit_fragment *f = list->pixels.fragment;
     const uint32_t count = list->count;
     list->count = 0;
     list->light(walk, f, f + count);
@@ -277,9 +278,9 @@ static GLINT_NOINLINE void set_planes(const glint_row_walk *walk, glint_plane pl
         set_plane(walk, &sides, &planes[c], attribute_over_w(&p, c), attribute_over_w(&q, c), attribute_over_w(&r, c));
 }
 
-void glint_list_span(glint_row_walk *walk, int32_t row, int32_t left, int32_t right) {
+GLINT_HOT void glint_list_span(glint_row_walk *walk, int32_t row, int32_t left, int32_t right) {
     glint_lamp_list *const list = walk->list;
-    glint_lit_fragment *f = &list->fragment[list->count];
+    glint_lit_fragment *f = &list->pixels.fragment[list->count];
     uint32_t z = glint_z_at(walk, row, left), position = ((uint32_t)row << 16) + (uint32_t)left,
              pixel = ((uint32_t)row << walk->shift) + (uint32_t)left;
     uint8_t *depth = (uint8_t *)(walk->depth + ((uint32_t)row << walk->shift) + left), *const end =
@@ -291,10 +292,10 @@ void glint_list_span(glint_row_walk *walk, int32_t row, int32_t left, int32_t ri
             f->unseen = 0;
             f->out.pixel = pixel;
             f->inverse_w = (int32_t)(here - GLINT_DEPTH_BIAS) | 1;
-            if (++f == &list->fragment[GLINT_LIST_MAX]) {
+            if (++f == &list->pixels.fragment[GLINT_LIST_MAX]) {
                 list->count = GLINT_LIST_MAX;
                 glint_light_listed(walk);
-                f = list->fragment;
+                f = list->pixels.fragment;
             }
         }
         depth += 2;
@@ -304,7 +305,7 @@ void glint_list_span(glint_row_walk *walk, int32_t row, int32_t left, int32_t ri
         pixel++;
         z += (uint32_t)walk->z.dx;
     }
-    list->count = (uint32_t)(f - list->fragment);
+    list->count = (uint32_t)(f - list->pixels.fragment);
 }
 
 /* Returns whether a plane may exceed 32 bits a few pixels outside of the triangle. */
@@ -322,7 +323,7 @@ static int may_have_cells(const glint_row_walk *walk) {
     const glint_lamps *lamps = walk->workspace->lamps;
     const glint_power_table *power = &lamps->shading->power;
     const glint_format *format = walk->frame->config.format;
-    if (walk->is_deep || walk->frame->config.gamma ||
+    if (walk->is_deep || (walk->draw->texture && (lamps->takes_most || lamps->headroom)) || walk->frame->config.gamma ||
         (format->is_dithered && glint_green_bits(format) > 6) || /* nodes have no room for their thresholds */
         (lamps->has_gloss && !power->direct && power->exponent >= NARROW_EXPONENT / 2))
         return 0;
@@ -339,7 +340,7 @@ GLINT_NOINLINE void glint_begin_lamp_list(glint_row_walk *walk) {
     walk->workspace->lamps->walk = walk;
     list->up = glint_find_room(walk->triangle.corners);
     list->room = 0;
-    list->has_w = 0;
+    list->has_w = list->lights_nodes = 0;
     set_octave(walk);
     if (walk->draw->extra)
         set_planes(walk, list->surface, walk->triangle.extra, 1);
@@ -412,7 +413,11 @@ static GLINT_NOINLINE void begin_list(glint_row_walk *walk) {
     for (int c = 0; c < 3; c++)
         walk->channel[c].start = glint_add_wrap(walk->channel[c].start, 1 << 14); /* cutting off 15 bits rounds */
     find_faced(walk);
-    walk->draw_span = may_have_cells(walk) ? glint_keep_span : glint_list_span;
+    walk->draw_span = glint_list_span;
+    if (may_have_cells(walk))
+        walk->draw_span = glint_keep_span;
+    else
+        glint_leave_holes(walk);
 }
 
 /* Draws spans until a pixel passes the depth test: triangles that are hidden need no set-up of lights. */
@@ -433,22 +438,17 @@ static void begin_fragments(glint_row_walk *walk, int32_t row, int32_t left, int
     find_visible_fragment(walk, row, left, right);
 }
 
-void glint_draw_by_list(glint_row_walk *walk) {
+void glint_draw_lamps(glint_row_walk *walk) {
     glint_lamp_list *list = walk->list;
     list->count = 0;
     list->top = list->bottom = 0;
     list->light = glint_lamps_light;
     walk->draw_span = begin_fragments;
     glint_walk_triangle(walk);
-    if (list->bottom)
+    if (list->bottom) {
+        glint_leave_holes(walk); /* a texture begins here, where the stack is less deep than in cells */
         glint_draw_cells(walk);
+    }
     if (list->count)
         glint_light_listed(walk);
-}
-
-void glint_draw_lamps(glint_row_walk *walk) {
-    glint_lamp_list list;
-    /* cppcheck-suppress autoVariables; the walk ends before this function does */
-    walk->list = &list;
-    glint_draw_by_list(walk);
 }

@@ -14,11 +14,14 @@
 #include "../raster/triangle.h"
 #include "shading.h"
 
-/** Number of fragments that are lit together: a smaller number uses less stack, and changes no bit. */
+/** Number of fragments, or of packed words, that are lit together: a smaller number uses less memory, and changes no
+ * bit. */
 #if GLINT_SMALL
 #define GLINT_LIST_MAX 2
+#define GLINT_WORDS_MAX 8
 #else
 #define GLINT_LIST_MAX 12
+#define GLINT_WORDS_MAX 16
 #endif
 
 /** A fragment to be lit. */
@@ -55,13 +58,17 @@ typedef void glint_reflect(const glint_row_walk *walk, glint_lit_fragment *f, co
 typedef struct glint_lamp_list {
     uint32_t count;
     uint32_t room;          /* if not 0, the triangle is far, and walk->w has 1/w with so many bits more */
-    uint32_t has_w;         /* walk->w is set */
+    uint16_t has_w;         /* walk->w is set */
+    uint16_t lights_nodes;  /* fragments are nodes of cells, which keep highlights apart from light: cells.c */
     uint32_t up;            /* the largest 1/w of the triangle's corners is 2^(30 - up) to 2^(31 - up) */
     glint_plane surface[3]; /* the surface's own colour over w, times 2^up */
     glint_reflect *light;   /* finds the colours of listed fragments */
     uint32_t top, bottom;   /* the first row that has a cached span, and the row after the last one: cells.c */
     glint_span spans[GLINT_TILE_MAX];
-    glint_lit_fragment fragment[GLINT_LIST_MAX];
+    union {
+        glint_lit_fragment fragment[GLINT_LIST_MAX];
+        glint_spread words[GLINT_WORDS_MAX]; /* of suns: sun_lists.c */
+    } pixels;
 } glint_lamp_list;
 
 /** A light on the material of a draw, in one tile. */
@@ -244,8 +251,5 @@ void glint_begin_lamp_list(glint_row_walk *walk);
 
 /** Draws a triangle whose fragments are lit. */
 void glint_draw_lamps(glint_row_walk *walk);
-
-/** Draws a triangle as glint_draw_lamps does, with the memory of walk->list, whose values do not matter. */
-void glint_draw_by_list(glint_row_walk *walk);
 
 #endif

@@ -3,6 +3,7 @@
 #include "../math/division.h"
 #include "../math/product.h"
 #include "arrive.h"
+#include "wear.h"
 
 /* ---- Powers of cosines ---- */
 
@@ -42,8 +43,8 @@ static uint32_t power_of_narrow(const glint_power_table *table, uint32_t sine_sq
 static GLINT_NOINLINE uint32_t power_by_logarithm(const glint_power_table *table, int32_t over, int32_t under) {
     if (over <= 0 || under <= 0)
         return table->exponent ? 0 : 1u << 15;
-    const int32_t logarithm =
-        glint_log2((uint32_t)glint_least(over, 1 << 16) << 15) - glint_log2((uint32_t)under << 15) / 2;
+    const int32_t logarithm = glint_log2((uint32_t)glint_least(over, 1 << 16) << 15) -
+                              glint_log2((uint32_t)glint_least(under, 1 << 16) << 15) / 2;
     const int64_t y = glint_shift_right64(glint_product(glint_least(logarithm, 0), table->exponent), 16);
     return y < -31 * (int64_t)(1 << 26) ? 0 : (glint_exp2((int32_t)y) + (1u << 14)) >> 15;
 }
@@ -370,6 +371,17 @@ static GLINT_INLINE void find_facing(const glint_lamps *lamps, glint_lit_view *v
     view->facing = glint_shift_right(dot * (int32_t)((uint32_t)view->over_n * over >> 16), 14);
 }
 
+/* Multiplies channels of light by the texture's, and those of ambient light if they are given. */
+static GLINT_NOINLINE void multiply_by_texture(const glint_row_walk *walk, const glint_lit_fragment *f, int32_t to[3],
+                                               int32_t base[3]) {
+    int16_t colour[3];
+    walk->draw->texture->type->stage->find(walk, glint_fragment_row(f), glint_fragment_column(f), colour);
+    for (int c = 0; c < 3; c++)
+        to[c] = (int32_t)(((uint32_t)to[c] >> 13) * (uint32_t)(colour[c] + 1) >> 2);
+    for (int c = 0; c < 3 && base; c++)
+        base[c] = (int32_t)(((uint32_t)base[c] >> 13) * (uint32_t)(colour[c] + 1) >> 2);
+}
+
 GLINT_NOINLINE void glint_mix_own_colour(const glint_row_walk *walk, glint_lit_fragment *f, int32_t w, uint32_t zeros,
                                          const int32_t gloss[3]) {
     const glint_lamps *lamps = walk->workspace->lamps;
@@ -378,9 +390,17 @@ GLINT_NOINLINE void glint_mix_own_colour(const glint_row_walk *walk, glint_lit_f
         const int is_parallel = walk->frame->view->is_parallel;
         w = is_parallel ? 1 << 16 : w;
         zeros = is_parallel ? 0 : zeros;
-        glint_multiply_by_own(walk->list, f, w, zeros, to);
-        if (lamps->takes_most)
-            glint_multiply_by_own(walk->list, f, w, zeros, base);
+        if (walk->draw->extra) {
+            glint_multiply_by_own(walk->list, f, w, zeros, to);
+            if (lamps->takes_most)
+                glint_multiply_by_own(walk->list, f, w, zeros, base);
+        }
+        if (walk->list->lights_nodes) { /* in place of numbers that no longer count */
+            f->out.pixel = (uint32_t)gloss[0], f->inverse_w = gloss[1], f->square = (uint32_t)gloss[2];
+            return;
+        }
+        if (walk->draw->texture)
+            multiply_by_texture(walk, f, to, lamps->takes_most ? base : 0);
     }
     to[0] += gloss[0], to[1] += gloss[1], to[2] += gloss[2];
     if (lamps->takes_most) {
@@ -432,15 +452,15 @@ static GLINT_INLINE void light_fragments(const glint_row_walk *walk, glint_lit_f
     }
 }
 
-void glint_reflect_matt(const glint_row_walk *walk, glint_lit_fragment *f, const glint_lit_fragment *end) {
+GLINT_HOT void glint_reflect_matt(const glint_row_walk *walk, glint_lit_fragment *f, const glint_lit_fragment *end) {
     light_fragments(walk, f, end, MATT);
 }
 
-void glint_reflect_half(const glint_row_walk *walk, glint_lit_fragment *f, const glint_lit_fragment *end) {
+GLINT_HOT void glint_reflect_half(const glint_row_walk *walk, glint_lit_fragment *f, const glint_lit_fragment *end) {
     light_fragments(walk, f, end, HALF);
 }
 
-void glint_reflect_mirror(const glint_row_walk *walk, glint_lit_fragment *f, const glint_lit_fragment *end) {
+GLINT_HOT void glint_reflect_mirror(const glint_row_walk *walk, glint_lit_fragment *f, const glint_lit_fragment *end) {
     light_fragments(walk, f, end, MIRROR);
 }
 

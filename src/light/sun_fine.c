@@ -48,7 +48,8 @@ static inline uint32_t find_power(const glint_row_walk *walk, const glint_lit_su
 }
 
 /* Finishes a fragment's colour by glint_mix_own_colour, which does not use 1/w of parallel rays. */
-static GLINT_NOINLINE void finish_fragment(const glint_row_walk *walk, glint_lit_fragment *f, const int32_t gloss[3]) {
+static GLINT_HOT GLINT_NOINLINE void finish_fragment(const glint_row_walk *walk, glint_lit_fragment *f,
+                                                     const int32_t gloss[3]) {
     const uint32_t zeros = glint_leading_zeros((uint32_t)f->inverse_w);
     glint_mix_own_colour(walk, f, glint_reciprocal16((uint32_t)f->inverse_w << zeros >> 16), zeros, gloss);
 }
@@ -93,7 +94,7 @@ static GLINT_INLINE void light_sun_fragments(const glint_row_walk *walk, glint_l
 }
 
 /* Lights the fragments of a list. */
-static void light_sun_list(const glint_row_walk *walk, glint_lit_fragment *f, const glint_lit_fragment *end) {
+static GLINT_HOT void light_sun_list(const glint_row_walk *walk, glint_lit_fragment *f, const glint_lit_fragment *end) {
     const glint_lamps *lamps = walk->workspace->lamps;
     if (GLINT_SMALL || walk->suns->count != 1 || lamps->is_mixed)
         light_sun_fragments(walk, f, end, SUN_ANY);
@@ -102,10 +103,10 @@ static void light_sun_list(const glint_row_walk *walk, glint_lit_fragment *f, co
 }
 
 /* Draws a span: lists the fragments that pass the depth test, and lights the list when it is full. */
-static void list_span(glint_row_walk *walk, int32_t row, int32_t left, int32_t right) {
+static GLINT_HOT void list_span(glint_row_walk *walk, int32_t row, int32_t left, int32_t right) {
     const glint_quadratic *normal = &walk->suns->normal;
     glint_lamp_list *const list = walk->list;
-    glint_lit_fragment *f = &list->fragment[list->count];
+    glint_lit_fragment *f = &list->pixels.fragment[list->count];
     const uint32_t x = (uint32_t)(left - walk->slopes.column), y = (uint32_t)(row - walk->slopes.row);
     const uint32_t bend = 2 * normal->xx;
     glint_stepped_quadratic square = glint_begin_quadratic(normal, x, y);
@@ -119,10 +120,10 @@ static void list_span(glint_row_walk *walk, int32_t row, int32_t left, int32_t r
             f->position = position;
             f->square = square.value;
             f->inverse_w = (int32_t)(z - GLINT_DEPTH_BIAS) | 1;
-            if (++f == &list->fragment[GLINT_LIST_MAX]) {
+            if (++f == &list->pixels.fragment[GLINT_LIST_MAX]) {
                 list->count = GLINT_LIST_MAX;
                 glint_light_listed(walk);
-                f = list->fragment;
+                f = list->pixels.fragment;
             }
         }
         position++;
@@ -130,7 +131,7 @@ static void list_span(glint_row_walk *walk, int32_t row, int32_t left, int32_t r
         z += (uint32_t)walk->z.dx;
         glint_step_quadratic(&square, bend);
     }
-    list->count = (uint32_t)(f - list->fragment);
+    list->count = (uint32_t)(f - list->pixels.fragment);
 }
 
 glint_draw_span *glint_begin_fine_suns(glint_row_walk *walk) {

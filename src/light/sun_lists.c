@@ -2,14 +2,9 @@
 /* Lights lists of pixels by suns, in packed words: each light is added to all pixels of a span. suns.h */
 #include "../pixel/format.h"
 #include "../raster/small.h"
+#include "lamps.h"
 #include "suns.h"
-
-/* Number of pixels that are lit together: a smaller number uses less stack, and changes no bit. */
-#if GLINT_SMALL
-#define LIST_MAX 8
-#else
-#define LIST_MAX 16
-#endif
+#include "wear.h"
 
 /* Lists the pixels of a span that pass the depth test; `first` is the word that their sums begin with. @return the end
  * of the list */
@@ -119,10 +114,10 @@ static GLINT_INLINE void light_list(const glint_row_walk *walk, const glint_lit_
     }
 }
 
-#define DEFINE_LIGHT_LIST(name, part, is_mirror)                                                                       \
-    static GLINT_NOINLINE void name(const glint_row_walk *walk, const glint_lit_sun *lit, int32_t row, uint32_t begin, \
-                                    glint_spread *p, const glint_spread *end) {                                        \
-        light_list(walk, lit, row, begin, p, end, part, is_mirror);                                                    \
+#define DEFINE_LIGHT_LIST(name, part, is_mirror)                                                                 \
+    static GLINT_HOT GLINT_NOINLINE void name(const glint_row_walk *walk, const glint_lit_sun *lit, int32_t row, \
+                                              uint32_t begin, glint_spread *p, const glint_spread *end) {        \
+        light_list(walk, lit, row, begin, p, end, part, is_mirror);                                              \
     }
 
 DEFINE_LIGHT_LIST(light_list_matt, DIFFUSE, 0)
@@ -131,8 +126,9 @@ DEFINE_LIGHT_LIST(light_list_mirror, BOTH, 1)
 DEFINE_LIGHT_LIST(add_gloss_half, GLOSS, 0)
 
 /* Does what light_list does for any light. */
-static GLINT_NOINLINE void light_list_any(const glint_row_walk *walk, const glint_lit_sun *lit, int32_t row,
-                                          uint32_t begin, glint_spread *p, const glint_spread *end, int part) {
+static GLINT_HOT GLINT_NOINLINE void light_list_any(const glint_row_walk *walk, const glint_lit_sun *lit, int32_t row,
+                                                    uint32_t begin, glint_spread *p, const glint_spread *end,
+                                                    int part) {
     const uint32_t y = (uint32_t)(row - walk->slopes.row);
     row_quadratic half = {0, 0, 0}, light_view = {0, 0, 0};
     if (lit->gloss)
@@ -149,7 +145,7 @@ static GLINT_NOINLINE void light_list_any(const glint_row_walk *walk, const glin
     }
 }
 
-GLINT_NOINLINE void glint_take_larger(uint32_t dark, glint_spread *p, const glint_spread *end) {
+GLINT_HOT GLINT_NOINLINE void glint_take_larger(uint32_t dark, glint_spread *p, const glint_spread *end) {
     for (; p != end; p++) {
         /* the guard bit of a channel survives the subtraction if the channel is the larger one */
         const uint32_t is_larger = ((p->colour | GLINT_SPREAD_GUARD) - dark) & GLINT_SPREAD_GUARD,
@@ -170,33 +166,22 @@ void glint_begin_own(glint_sun_triangle *t, const glint_slopes *slopes) {
     }
 }
 
-/* Returns a channel of a word times that of a colour, 1 = 2^15, with half a step; rounding may have taken the colour
- * below 0. */
-static inline uint32_t multiply_channel(uint32_t channel, int32_t own) {
-    return channel * (uint32_t)glint_most(own, 0) + (1u << 14);
-}
-
-static inline uint32_t multiply_word(uint32_t word, int32_t red, int32_t green, int32_t blue) {
-    return (multiply_channel(word >> 10 & 0x3ff, red) >> 15 << 10) + (multiply_channel(word >> 21, green) >> 15 << 21) +
-           (multiply_channel(word & 0x1ff, blue) >> 15);
-}
-
 uint32_t glint_multiply_word(const glint_suns *suns, uint32_t word, int32_t red, int32_t green, int32_t blue) {
-    return multiply_word(word, red, green, blue) + suns->half_level;
+    return glint_times_colour(word, red, green, blue) + suns->half_level;
 }
 
 /* Multiplies the pixels of a row by the surface's own colours. */
-static GLINT_NOINLINE void multiply_list(const glint_row_walk *walk, int32_t row, uint32_t begin, glint_spread *p,
-                                         const glint_spread *end) {
+static GLINT_HOT GLINT_NOINLINE void multiply_list(const glint_row_walk *walk, int32_t row, uint32_t begin,
+                                                   glint_spread *p, const glint_spread *end) {
     const glint_sun_plane *own = walk->suns->own;
     const uint32_t y = (uint32_t)(row - walk->slopes.row), red = own[0].value + y * own[0].y,
                    green = own[1].value + y * own[1].y, blue = own[2].value + y * own[2].y, red_x = own[0].x,
                    green_x = own[1].x, blue_x = own[2].x, half_level = walk->suns->suns->half_level;
     for (; p != end; p++) {
         const uint32_t x = p->offset - begin;
-        p->colour = multiply_word(p->colour, glint_shift_right((int32_t)(red + x * red_x), 14),
-                                  glint_shift_right((int32_t)(green + x * green_x), 14),
-                                  glint_shift_right((int32_t)(blue + x * blue_x), 14)) +
+        p->colour = glint_times_colour(p->colour, glint_shift_right((int32_t)(red + x * red_x), 14),
+                                       glint_shift_right((int32_t)(green + x * green_x), 14),
+                                       glint_shift_right((int32_t)(blue + x * blue_x), 14)) +
                     half_level;
     }
 }
@@ -224,20 +209,23 @@ static GLINT_SPECIAL void add_lights_to_list(const glint_row_walk *walk, int32_t
 }
 
 /* Colours of a surface multiply ambient and diffuse light, before highlights are added. */
-void glint_draw_sun_list(glint_row_walk *walk, int32_t row, int32_t left, int32_t right) {
+GLINT_HOT void glint_draw_sun_list(glint_row_walk *walk, int32_t row, int32_t left, int32_t right) {
     const glint_suns *suns = walk->suns->suns;
-    const int has_own = walk->draw->extra != 0;
+    const int has_own = walk->draw->extra || walk->draw->texture;
     const uint32_t begin = ((uint32_t)row << walk->shift) + (uint32_t)walk->slopes.column,
                    first = has_own ? suns->dark - suns->half_level : suns->first;
-    glint_spread list[LIST_MAX];
+    glint_spread *const list = walk->list->pixels.words;
     for (int32_t to; left < right; left = to) {
-        to = glint_least(right, left + LIST_MAX);
+        to = glint_least(right, left + GLINT_WORDS_MAX);
         glint_spread *const end = list_visible(walk, row, left, to, first, list);
         if (end == list)
             continue;
         if (has_own) {
             add_lights_to_list(walk, row, begin, list, end, DIFFUSE);
-            multiply_list(walk, row, begin, list, end);
+            if (walk->draw->texture)
+                walk->draw->texture->type->stage->multiply(walk, row, (uint32_t)row << walk->shift, list, end);
+            if (walk->draw->extra)
+                multiply_list(walk, row, begin, list, end);
             add_lights_to_list(walk, row, begin, list, end, GLOSS);
         } else {
             add_lights_to_list(walk, row, begin, list, end, BOTH);

@@ -264,6 +264,9 @@ static GLINT_NOINLINE void begin_mirror(const glint_row_walk *walk, const glint_
                   0);
 }
 
+/* A V, 1 = 2^14, with less along z has too few bits of it for weights of 1 / z. */
+#define LEAST_VIEW_Z 64
+
 /* Sets the highlight of a light, given its terms at corners. @return 0 if scalars do not serve */
 static inline int begin_gloss(const glint_row_walk *walk, const glint_sun_triangle *t, glint_lit_sun *lit,
                               const glint_sun_term *a, const glint_sun_term *b, const glint_sun_term *c) {
@@ -278,6 +281,8 @@ static inline int begin_gloss(const glint_row_walk *walk, const glint_sun_triang
     lit->gloss = 1;
     if (!suns->is_mirror)
         return set_half(walk, t, &bends, (second_order){0, 0, 0}, a->v, b->v, c->v, lit);
+    if (glint_least_of(a->v[2], b->v[2], c->v[2]) < LEAST_VIEW_Z)
+        return 0;
     begin_mirror(walk, t, &bends, a->v, b->v, c->v, lit);
     return 1;
 }

@@ -5,6 +5,7 @@
 #include "../pixel/pixel.h"
 #include "../raster/small.h"
 #include "suns.h"
+#include "wear.h"
 
 /* A pixel of a small triangle: a, b and c are its barycentric coordinates, 1 = 2^14, and n is N', 1 = 2^15. */
 typedef struct small_pixel {
@@ -48,9 +49,9 @@ static GLINT_INLINE small_half find_half(const glint_sun_triangle *t, const smal
 }
 
 /* Returns the index of a pixel's entry of gloss, given the number of the light's term, and N'.L, 1 = 2^30. */
-static GLINT_NOINLINE uint32_t find_small_entry(const glint_row_walk *walk, const glint_drawn_sun *sun,
-                                                const small_pixel *pixel, const glint_spread *p, uint32_t term,
-                                                int32_t light) {
+static GLINT_HOT GLINT_NOINLINE uint32_t find_small_entry(const glint_row_walk *walk, const glint_drawn_sun *sun,
+                                                          const small_pixel *pixel, const glint_spread *p,
+                                                          uint32_t term, int32_t light) {
     const glint_suns *suns = walk->suns->suns;
     const small_half half = find_half(walk->suns, pixel, term);
     const int32_t *n = pixel->n, over = (int32_t)p->over;
@@ -92,14 +93,19 @@ static GLINT_NOINLINE void add_lights_to_own(const glint_row_walk *walk, const s
     const int16_t *a = t->own_at[0], *b = t->own_at[1], *c = t->own_at[2];
     p->colour = t->suns->dark - t->suns->half_level;
     add_lights(walk, pixel, p, 1, 0);
-    p->colour = glint_multiply_word(t->suns, p->colour, mix_corners(pixel, a[0], b[0], c[0]),
-                                    mix_corners(pixel, a[1], b[1], c[1]), mix_corners(pixel, a[2], b[2], c[2]));
+    if (walk->draw->texture) {
+        const uint32_t begin = (uint32_t)pixel->row << walk->shift;
+        walk->draw->texture->type->stage->multiply(walk, pixel->row, begin, p, p + 1);
+    }
+    if (walk->draw->extra)
+        p->colour = glint_multiply_word(t->suns, p->colour, mix_corners(pixel, a[0], b[0], c[0]),
+                                        mix_corners(pixel, a[1], b[1], c[1]), mix_corners(pixel, a[2], b[2], c[2]));
     add_lights(walk, pixel, p, 0, 1);
 }
 
 /* Lights a pixel by all lights, and stores it. */
-static GLINT_NOINLINE void draw_small_pixel(const glint_row_walk *walk, int32_t row, int32_t column, int32_t b,
-                                            int32_t c) {
+static GLINT_HOT GLINT_NOINLINE void draw_small_pixel(const glint_row_walk *walk, int32_t row, int32_t column,
+                                                      int32_t b, int32_t c) {
     const glint_sun_triangle *t = walk->suns;
     const glint_suns *suns = t->suns;
     small_pixel pixel = {row, column, (1 << 14) - b - c, b, c, {0}};
@@ -111,7 +117,7 @@ static GLINT_NOINLINE void draw_small_pixel(const glint_row_walk *walk, int32_t 
     square <<= 2;
     glint_spread p = {((uint32_t)row << walk->shift) + (uint32_t)column, suns->first, square,
                       glint_over_normal(square)};
-    if (walk->draw->extra)
+    if (walk->draw->extra || walk->draw->texture)
         add_lights_to_own(walk, &pixel, &p);
     else
         add_lights(walk, &pixel, &p, 1, 1);
@@ -167,16 +173,16 @@ static GLINT_INLINE void draw_small_span(const glint_row_walk *walk, int32_t row
     }
 }
 
-void glint_draw_small_suns(glint_row_walk *walk, int32_t row, int32_t left, int32_t right) {
+GLINT_HOT void glint_draw_small_suns(glint_row_walk *walk, int32_t row, int32_t left, int32_t right) {
     draw_small_span(walk, row, left, right, ANY_FORMAT);
 }
 
 #if !GLINT_SMALL
-void glint_draw_small_rgb565(glint_row_walk *walk, int32_t row, int32_t left, int32_t right) {
+GLINT_HOT void glint_draw_small_rgb565(glint_row_walk *walk, int32_t row, int32_t left, int32_t right) {
     draw_small_span(walk, row, left, right, IN_RGB565);
 }
 
-void glint_draw_small_rgb565_be(glint_row_walk *walk, int32_t row, int32_t left, int32_t right) {
+GLINT_HOT void glint_draw_small_rgb565_be(glint_row_walk *walk, int32_t row, int32_t left, int32_t right) {
     draw_small_span(walk, row, left, right, IN_RGB565_BE);
 }
 #endif

@@ -69,24 +69,24 @@ static GLINT_INLINE void draw_span(const glint_row_walk *walk, int32_t row, int3
 #if GLINT_SMALL
 /* In a library built for size, one function draws spans of all kinds, and small triangles have none of their own. */
 #define DEFINE_SPANS(suffix, swaps)                                                                            \
-    static void span_##suffix(glint_row_walk *walk, int32_t row, int32_t left, int32_t right) {                \
+    static GLINT_HOT void span_##suffix(glint_row_walk *walk, int32_t row, int32_t left, int32_t right) {      \
         const glint_sun_triangle *t = walk->suns;                                                              \
         draw_span(walk, row, left, right, !t->lit->gloss ? SPAN_MATT : SPAN_HALF + t->suns->is_mirror, swaps); \
     }                                                                                                          \
     const glint_sun_spans glint_sun_spans_##suffix = {span_##suffix, span_##suffix, span_##suffix,             \
                                                       glint_draw_small_suns}
 #else
-#define DEFINE_SPANS(suffix, swaps)                                                                  \
-    static void matt_##suffix(glint_row_walk *walk, int32_t row, int32_t left, int32_t right) {      \
-        draw_span(walk, row, left, right, SPAN_MATT, swaps);                                         \
-    }                                                                                                \
-    static void half_##suffix(glint_row_walk *walk, int32_t row, int32_t left, int32_t right) {      \
-        draw_span(walk, row, left, right, SPAN_HALF, swaps);                                         \
-    }                                                                                                \
-    static void mirror_##suffix(glint_row_walk *walk, int32_t row, int32_t left, int32_t right) {    \
-        draw_span(walk, row, left, right, SPAN_MIRROR, swaps);                                       \
-    }                                                                                                \
-    const glint_sun_spans glint_sun_spans_##suffix = {matt_##suffix, half_##suffix, mirror_##suffix, \
+#define DEFINE_SPANS(suffix, swaps)                                                                         \
+    static GLINT_HOT void matt_##suffix(glint_row_walk *walk, int32_t row, int32_t left, int32_t right) {   \
+        draw_span(walk, row, left, right, SPAN_MATT, swaps);                                                \
+    }                                                                                                       \
+    static GLINT_HOT void half_##suffix(glint_row_walk *walk, int32_t row, int32_t left, int32_t right) {   \
+        draw_span(walk, row, left, right, SPAN_HALF, swaps);                                                \
+    }                                                                                                       \
+    static GLINT_HOT void mirror_##suffix(glint_row_walk *walk, int32_t row, int32_t left, int32_t right) { \
+        draw_span(walk, row, left, right, SPAN_MIRROR, swaps);                                              \
+    }                                                                                                       \
+    const glint_sun_spans glint_sun_spans_##suffix = {matt_##suffix, half_##suffix, mirror_##suffix,        \
                                                       glint_draw_small_##suffix}
 #endif
 

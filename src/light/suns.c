@@ -8,6 +8,7 @@
 #include "../raster/small.h"
 #include "evaluation.h"
 #include "lamps.h"
+#include "wear.h"
 
 /* ---- Triangles ---- */
 
@@ -73,11 +74,17 @@ static GLINT_NOINLINE int begin_own(const glint_row_walk *walk, glint_sun_triang
     return 1;
 }
 
+/* Returns whether one light on a texture can be drawn in one loop. */
+static inline int is_plain_texture(const glint_row_walk *walk, const glint_sun_triangle *t) {
+    return walk->draw->texture && !walk->draw->extra && t->lit->is_plain && !t->suns->is_mirror;
+}
+
 /* Chooses the function that draws the spans of a visible triangle. @return null if suns do not serve the triangle */
 static inline glint_draw_span *choose_span(glint_row_walk *walk, glint_sun_triangle *t) {
     const glint_suns *suns = t->suns;
-    const int has_own = walk->draw->extra && suns->has_own && begin_own(walk, t),
-              is_listed = (walk->draw->extra && !has_own) || suns->is_fine, is_tiny = is_small(walk);
+    const int is_own = walk->draw->extra || walk->draw->texture,
+              has_own = is_own && suns->has_own && (!walk->draw->extra || begin_own(walk, t)),
+              is_listed = (is_own && !has_own) || suns->is_fine, is_tiny = is_small(walk);
     if (!is_lit(walk) || (is_tiny && (is_listed || (suns->terms && !suns->bend))))
         return 0;
     set_corners(walk, t);
@@ -93,24 +100,27 @@ static inline glint_draw_span *choose_span(glint_row_walk *walk, glint_sun_trian
         walk->packed = glint_spread_pack(suns->dark);
         return walk->frame->config.format->flat_span;
     }
-    if (t->count != 1 || !suns->spans || has_own)
+    if (t->count != 1 || !(has_own ? is_plain_texture(walk, t) : suns->spans != 0))
         return glint_draw_sun_list;
     begin_one_light(walk, t);
+    if (has_own) {
+        glint_draw_span *const sun = walk->draw->texture->type->stage->choose_sun(walk);
+        return sun ? sun : glint_draw_sun_list;
+    }
     return !t->lit->gloss ? suns->spans->matt : suns->is_mirror ? suns->spans->mirror : suns->spans->half;
 }
 
 /* Draws a triangle that is visible and has slopes. @return 0 if suns do not serve it */
-static GLINT_NOINLINE int draw_visible(glint_row_walk *walk) {
-    glint_sun_triangle t;
-    t.suns = walk->draw->shading->suns;
-    t.count = 0;
-    /* cppcheck-suppress autoVariables; the walk ends before this function does */
-    walk->suns = &t;
+static GLINT_HOT GLINT_NOINLINE int draw_visible(glint_row_walk *walk, glint_begun begun) {
+    glint_sun_triangle *const t = walk->suns;
+    t->suns = walk->draw->shading->suns;
+    t->count = 0;
     glint_find_slopes(&walk->corners, &walk->slopes);
-    walk->draw_span = choose_span(walk, &t);
+    walk->draw_span = choose_span(walk, t);
     if (!walk->draw_span)
         return 0;
-    glint_walk_small(walk);
+    glint_leave_holes(walk);
+    glint_walk_begun(walk, begun);
     if (walk->list->count)
         glint_light_listed(walk);
     return 1;
@@ -124,28 +134,28 @@ static GLINT_NOINLINE int draw_one_colour(glint_row_walk *walk, glint_begun begu
     const int16_t *a = v[0]->attribute, *b = v[1]->attribute, *c = v[2]->attribute;
     uint32_t word;
     if (a[1] != b[1] || a[2] != b[2] || a[0] != c[0] || a[1] != c[1] || a[2] != c[2] || !is_lit(walk) ||
-        !suns->is_rounded || suns->is_fine || walk->draw->extra || glint_is_deep(&walk->triangle) ||
-        !glint_find_one_word(walk, &word))
+        !suns->is_rounded || suns->is_fine || walk->draw->extra || (walk->draw->texture && !suns->has_own) ||
+        glint_is_deep(&walk->triangle) || !glint_find_one_word(walk, &word))
         return 0;
+    if (walk->draw->texture) {
+        walk->draw->texture->type->stage->draw_even(walk, begun, word - suns->half_level);
+        return 1;
+    }
     walk->packed = glint_spread_pack(word);
     glint_walk_flat(walk, begun);
     return 1;
 }
 
-/* Draws a triangle by suns, or by lamps if suns do not serve it: glint_sun_triangle has then left the stack. */
+/* Draws a triangle by suns, or by lamps if suns do not serve it. */
 static void draw_suns(glint_row_walk *walk) {
-    glint_lamp_list list;
     const glint_begun begun = glint_begin_triangle(walk);
-    const int has_slopes = begun == GLINT_IS_SMALL && walk->has_slopes;
     const glint_vertex *const *v = walk->triangle.corners;
     if (begun == GLINT_NO_ROWS || (v[0]->attribute[0] == v[1]->attribute[0] && draw_one_colour(walk, begun)) ||
-        (has_slopes && !glint_find_visible_row(walk)))
+        (begun == GLINT_IS_SMALL && walk->has_slopes && !glint_find_visible_row(walk)))
         return;
-    list.count = 0;
-    /* cppcheck-suppress autoVariables; the walk ends before this function does */
-    walk->list = &list;
-    if (!has_slopes || !draw_visible(walk))
-        glint_draw_by_list(walk);
+    walk->list->count = 0;
+    if (!walk->has_slopes || !draw_visible(walk, begun))
+        glint_draw_lamps(walk);
 }
 
 /* ---- Materials ---- */
@@ -208,10 +218,15 @@ static int serves_material(const glint_frame *frame, const glint_shading *shadin
            (material->shininess >= LEAST_EXPONENT && material->model->lobe != GLINT_LOBE_OTHER);
 }
 
+/* Has the surface of an object colours of its own, by its mesh or by a texture? */
+static int has_own_colours(const glint_object *object) {
+    return glint_has_colours(object->mesh) || object->material->texture != 0;
+}
+
 /* Returns whether suns serve an object of a material. */
 static int serves(const glint_frame *frame, const glint_shading *shading, const glint_object *object) {
     return object->evaluation && object->evaluation->lit_at == GLINT_LIT_AT_FRAGMENTS &&
-           (!glint_has_colours(object->mesh) || material_lists(shading) || has_own_words(frame, shading)) &&
+           (!has_own_colours(object) || material_lists(shading) || has_own_words(frame, shading)) &&
            serves_material(frame, shading);
 }
 
@@ -229,7 +244,7 @@ static int serves_some(const glint_frame *frame, const glint_shading *shading) {
 static GLINT_NOINLINE int has_words_of(const glint_frame *frame, const glint_shading *shading, int is_own) {
     for (uint32_t i = 0; i < frame->scene->object_count && !is_fine(frame); i++) {
         const glint_object *object = &frame->scene->objects[i];
-        if (object->material == shading->material && glint_has_colours(object->mesh) == is_own &&
+        if (object->material == shading->material && has_own_colours(object) == is_own &&
             (!is_own || has_own_words(frame, shading)) && serves(frame, shading, object))
             return 1;
     }

@@ -225,6 +225,18 @@ static inline size_t glint_ramps_size(const glint_drawn_sun *sun) {
     return (GLINT_RAMP_ENTRIES + 3 + (sun->shines ? GLINT_GLOSS_ENTRIES : 0u)) * sizeof(uint32_t);
 }
 
+/** Returns a channel of a word times that of a colour, 1 = 2^15, with half a step; rounding may have taken the colour
+ * below 0. */
+static inline uint32_t glint_times_channel(uint32_t channel, int32_t own) {
+    return channel * (uint32_t)glint_most(own, 0) + (1u << 14);
+}
+
+/** Returns a word times a colour. */
+static inline uint32_t glint_times_colour(uint32_t word, int32_t red, int32_t green, int32_t blue) {
+    return (glint_times_channel(word >> 10 & 0x3ff, red) >> 15 << 10) +
+           (glint_times_channel(word >> 21, green) >> 15 << 21) + (glint_times_channel(word & 0x1ff, blue) >> 15);
+}
+
 /** Clamps each channel of a sum of two words at 1, and clears the guard bits. */
 static inline uint32_t glint_clamp_word(uint32_t word) {
     const uint32_t over = word & GLINT_SPREAD_GUARD;

@@ -20,6 +20,7 @@ extern const uint16_t glint_quotient_table[241];
 
 /** Returns the entry of i. It counts bytes, so that compilers take the 16 off the table's address. */
 static inline int32_t glint_quotient(int32_t i) {
+    GLINT_REQUIRE(i >= 16 && i <= 256);
     return *(const uint16_t *)(const void *)((const uint8_t *)glint_quotient_table + (2 * i - 32));
 }
 
@@ -40,6 +41,7 @@ static inline int32_t glint_reciprocal16_by_table(uint32_t x) {
 }
 
 static inline int32_t glint_reciprocal16(uint32_t x) {
+    GLINT_REQUIRE(x >= 1u << 15 && x <= 1u << 16);
     return GLINT_DIVIDES ? glint_reciprocal16_by_division(x) : glint_reciprocal16_by_table(x);
 }
 
@@ -60,11 +62,13 @@ static inline int32_t glint_reciprocal16(uint32_t x) {
 
 /** Computes dx / dy, Q20, rounded towards 0. The low 16 bits of dx count. */
 static inline int32_t glint_slope_by_division(int32_t dx, int32_t dy) {
+    GLINT_REQUIRE(dy >= 1 && dy < GLINT_EDGE_DY);
     return glint_shift_left(dx, 20) / dy;
 }
 
 /** Computes the same with a larger error, below that of a short edge. */
 static inline int32_t glint_slope_by_table(int32_t dx, int32_t dy) {
+    GLINT_REQUIRE(dy >= 1 && dy < GLINT_EDGE_DY);
     dx = (int16_t)dx;
     if (dy < 16) {
         dx = dx * 16;
@@ -86,6 +90,7 @@ GLINT_CONST int32_t glint_slope(int32_t dx, int32_t dy); /* numeric.c: out of li
 
 /** Returns the change of x from an edge's top to the first row of centres, `down` sixteenths below, from 0 to 15. */
 static inline int32_t glint_edge_start(int32_t slope, int32_t down) {
+    GLINT_REQUIRE(down >= 0 && down <= 15);
     return glint_shift_right(slope, 4) * down;
 }
 

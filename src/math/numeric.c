@@ -40,6 +40,7 @@ void glint_unit(int32_t x, int32_t y, int32_t z, int16_t out[3]) {
 }
 
 uint32_t glint_reciprocal(uint32_t x) {
+    GLINT_REQUIRE(x >= 1u << 31);
     uint32_t start = (0xffffffffu / (x >> 16)) << 15; /* off by 2^-15, never too low by more than 2^-16 */
     /* This is 2^31 (1 - x start / 2^63), rounded down. */
     int64_t error = ((int64_t)1 << 31) - (int64_t)(((uint64_t)x * start + 0xffffffffu) >> 32);
@@ -49,6 +50,7 @@ uint32_t glint_reciprocal(uint32_t x) {
 
 /* Computes x / 3, x from 0 to 2^16 - 1. */
 static uint32_t third(uint32_t x) {
+    GLINT_REQUIRE(x <= 0xffff);
     return x * 43691 >> 17;
 }
 
@@ -60,6 +62,7 @@ static int32_t natural_logarithm(int32_t r) {
 }
 
 int32_t glint_log2(uint32_t x) {
+    GLINT_REQUIRE(x <= 1u << 31);
     if (x == 0)
         return -32 * (1 << 26);
     unsigned zeros = glint_leading_zeros(x);
@@ -74,6 +77,7 @@ int32_t glint_log2(uint32_t x) {
 }
 
 uint32_t glint_exp2(int32_t y) {
+    GLINT_REQUIRE(y <= 0);
     uint32_t down = 0u - (uint32_t)y;
     unsigned whole = (down + (1u << 26) - 1) >> 26;
     if (whole > 30)
@@ -87,6 +91,7 @@ uint32_t glint_exp2(int32_t y) {
 }
 
 uint32_t glint_power(uint32_t x, int32_t p) {
+    GLINT_REQUIRE(x <= 1u << 31 && p >= 0);
     if (p == 0)
         return 1u << 30;
     if (x == 0)

@@ -49,6 +49,16 @@
 #define GLINT_INLINE inline
 #endif
 
+/** Marks functions that loop over pixels. With GLINT_HOT_SECTION, such as ".glint_hot", each is in a section whose name
+ * begins so, which a linker script may put into RAM. */
+#if defined(GLINT_HOT_SECTION)
+#define GLINT_HOT_NAMED(name, number) __attribute__((section(name "." #number)))
+#define GLINT_HOT_NUMBERED(name, number) GLINT_HOT_NAMED(name, number)
+#define GLINT_HOT GLINT_HOT_NUMBERED(GLINT_HOT_SECTION, __COUNTER__)
+#else
+#define GLINT_HOT
+#endif
+
 /** Marks a function of its arguments alone: the compiler may keep values in registers across the call. */
 #if defined(__GNUC__)
 #define GLINT_CONST __attribute__((const))
@@ -99,6 +109,11 @@
 #define GLINT_BARRIER() ((void)0)
 #endif
 
+/** States what callers guarantee. Tests under sanitizers check it at every call (tests/tests.mk). */
+#ifndef GLINT_REQUIRE
+#define GLINT_REQUIRE(condition) ((void)0)
+#endif
+
 /* Right shifts of negative numbers are arithmetic on every compiler glint knows; this fails to compile elsewhere. */
 typedef char glint_arithmetic_shift[(-1 >> 1) == -1 ? 1 : -1];
 
@@ -114,21 +129,25 @@ extern const uint32_t glint_exp2_table[32];
 
 /** Computes floor(x / 2^n), n from 0 to 31. */
 static inline int32_t glint_shift_right(int32_t x, unsigned n) {
+    GLINT_REQUIRE(n < 32);
     return x >> n;
 }
 
 /** Computes floor(x / 2^n), n from 0 to 63. */
 static inline int64_t glint_shift_right64(int64_t x, unsigned n) {
+    GLINT_REQUIRE(n < 64);
     return x >> n;
 }
 
-/** Computes x / 2^n rounded to nearest, halves up; n from 1 to 62, |x| below 2^62. */
+/** Computes x / 2^n rounded to nearest, halves up; n from 1 to 62, |x| at most 2^62. */
 static inline int64_t glint_round_shift64(int64_t x, unsigned n) {
+    GLINT_REQUIRE(n - 1 < 62 && x <= (int64_t)1 << 62 && x >= -((int64_t)1 << 62));
     return glint_shift_right64(x + ((int64_t)1 << (n - 1)), n);
 }
 
-/** Computes x 2^n for either sign, n from 0 to 31; the product must fit. */
+/** Computes x 2^n for either sign, n from 0 to 31, modulo 2^32. */
 static inline int32_t glint_shift_left(int32_t x, unsigned n) {
+    GLINT_REQUIRE(n < 32);
     return (int32_t)((uint32_t)x << n);
 }
 
@@ -203,11 +222,13 @@ static inline int32_t glint_inverse_root_between(const uint16_t node[2], uint32_
 /** Computes UNIT / sqrt(c) for c from 2^28 to 3 2^30 as an integer, times 2^15, by linear interpolation. The relative
  * error is at most 5.44e-5. */
 static inline int32_t glint_inverse_root(uint32_t c) {
+    GLINT_REQUIRE(c >= 1u << 28 && c <= 3u << 30);
     return glint_inverse_root_between(&glint_inverse_root_table[(c >> 23) - 32], c);
 }
 
 /** Computes 2^31 / sqrt(c) for c from 2^30 up: the result is from 2^15 to 2^16, its relative error at most 4e-5. */
 static inline uint32_t glint_over_length(uint32_t c) {
+    GLINT_REQUIRE(c >= 1u << 30);
     const uint32_t word =
         *(const uint32_t *)(const void *)((const uint8_t *)glint_length_table + (4 * (int32_t)(c >> 24) - 256));
     return (word - (word & 0xffff) * (c >> 8 & 0xffff)) >> 16;

@@ -72,10 +72,12 @@ typedef struct glint_row_split {
 } glint_row_split;
 
 static inline void glint_row_set_whole(glint_row_whole *row, int i, int32_t entry) {
+    GLINT_REQUIRE(entry < 1 << 30 && entry > -(1 << 30));
     row->entry[i] = entry * 2;
 }
 
 static inline void glint_row_set_split(glint_row_split *row, int i, int32_t entry) {
+    GLINT_REQUIRE(entry < 1 << 30 && entry > -(1 << 30));
     row->high[i] = glint_shift_right(entry, 14);
     row->low[i] = entry & 0x3fff;
 }
@@ -91,6 +93,7 @@ static inline int32_t glint_row_get_split(const glint_row_split *row, int i) {
 /** Computes row . (x, y, z) / 2^15 rounded to nearest, halves up, and adds t; x, y and z are int16. It is exact except
  * for rounding. Entries and t are below 2^30, and the magnitudes of the products sum up to at most 3 2^43. */
 static inline int32_t glint_row_times_whole(const glint_row_whole *row, int32_t x, int32_t y, int32_t z, int32_t t) {
+    GLINT_REQUIRE(t < 1 << 30 && t > -(1 << 30));
     int64_t sum = (int64_t)t * ((int64_t)1 << 32) + ((int64_t)1 << 31); /* the result is its high half */
     sum += (int64_t)row->entry[0] * (x * 65536);
     sum += (int64_t)row->entry[1] * (y * 65536);
@@ -107,35 +110,46 @@ static inline int32_t glint_row_times_split(const glint_row_split *row, int32_t 
     return t + glint_shift_right(high[0] * x + high[1] * y + high[2] * z + sum + 1, 1);
 }
 
+static inline int glint_is_scalable(int32_t x, uint32_t r) {
+    const uint64_t product = glint_magnitude64(x) * r;
+    return glint_magnitude64(x) < 1u << 30 && r < 1u << 22 && product <= ((uint64_t)1 << 48) + (1 << 30);
+}
+
 /** Computes floor(floor(x / 2^8) r / 2^15): |x| below 2^30, r below 2^22, |x| r at most 2^48 + 2^30. */
 static inline int32_t glint_scale_whole(int32_t x, uint32_t r) {
+    GLINT_REQUIRE(glint_is_scalable(x, r));
     int32_t whole = x & ~0xff;
     GLINT_OPAQUE(whole); /* one product, not one for each place that x comes from */
     return (int32_t)glint_shift_right64((int64_t)whole * (int32_t)(r << 9), 32);
 }
 
 static inline int32_t glint_scale_split(int32_t x, uint32_t r) {
+    GLINT_REQUIRE(glint_is_scalable(x, r));
     uint32_t low = ((uint32_t)x >> 8 & 0x3ff) * r >> 10;
     return glint_shift_right(glint_shift_right(x, 18) * (int32_t)r + (int32_t)low, 5);
 }
 
 /** Computes floor(x r / 2^n), n from 12 to 15: |x| at most 3 2^(n + 13), r from 0 to 2^16. */
 static inline int32_t glint_slope_of_whole(int32_t x, int32_t r, unsigned n) {
+    GLINT_REQUIRE(n - 12 <= 3 && x <= 3 << (n + 13) && x >= -(3 << (n + 13)) && r >= 0 && r <= 1 << 16);
     return (int32_t)glint_shift_right64((int64_t)x * r, n);
 }
 
 static inline int32_t glint_slope_of_split(int32_t x, int32_t r, unsigned n) {
+    GLINT_REQUIRE(n - 12 <= 3 && x <= 3 << (n + 13) && x >= -(3 << (n + 13)) && r >= 0 && r <= 1 << 16);
     const uint32_t low = ((uint32_t)x & ((1u << n) - 1)) * (uint32_t)r;
     return glint_shift_right(x, n) * r + (int32_t)(low >> n);
 }
 
 /** Computes floor((a b + c d) / 2^15): b and d up to 2^15, and a sum below 2^46. */
 static inline int32_t glint_sum_of_products_whole(int32_t a, int32_t b, int32_t c, int32_t d) {
+    GLINT_REQUIRE(glint_magnitude64(b) <= 1 << 15 && glint_magnitude64(d) <= 1 << 15);
     return (int32_t)glint_shift_right64((int64_t)a * b + (int64_t)c * d, 15);
 }
 
 /* The products of the low parts sum up to less than 2^31. */
 static inline int32_t glint_sum_of_products_split(int32_t a, int32_t b, int32_t c, int32_t d) {
+    GLINT_REQUIRE(glint_magnitude64(b) <= 1 << 15 && glint_magnitude64(d) <= 1 << 15);
     return glint_shift_right(a, 15) * b + glint_shift_right(c, 15) * d +
            glint_shift_right((a & 0x7fff) * b + (c & 0x7fff) * d, 15);
 }
@@ -184,6 +198,7 @@ typedef glint_row_whole glint_row;
 /** Computes 2^48 / w for w from 2^28 to 3 2^28: the relative error is at most 3.1e-6. It squares the inverse root and
  * does one Newton step, by products of 32 bits only. */
 static inline uint32_t glint_inverse(uint32_t w) {
+    GLINT_REQUIRE(w >= 1u << 28 && w <= 3u << 28);
     uint32_t root = (uint32_t)glint_inverse_root(w << 2);
     uint32_t r = root * root >> 10;               /* too small by 1.3e-4 to 3.6e-4 */
     int32_t error = (int32_t)(0u - (w >> 6) * r); /* 2^42 (1 - w r / 2^48): below 2^31 */

@@ -98,6 +98,7 @@ struct glint_format {
     uint8_t channel[3]; /* bits of each channel's levels; 0 where it goes into luma */
     uint8_t edge[2];    /* bits that are 0 in the x and the y of pixels that begin a byte */
     uint8_t is_dithered;
+    uint8_t is_high_first; /* pixels of 16 bits have their high byte first */
     /** Stores `count` pixels of a tile, so many bytes apart. Their colours are in levels. */
     void (*store_list)(void *pixels, unsigned tile_shift_x, const glint_list_pixel *pixel, size_t stride,
                        uint32_t count);
@@ -129,6 +130,12 @@ void glint_draw_smooth_rows(glint_row_walk *walk, glint_begin_colours *begin);
 /** Returns the bits of a format's green, or of its luma. */
 static inline unsigned glint_green_bits(const glint_format *format) {
     return format->channel[1] ? format->channel[1] : format->bits;
+}
+
+/** Do slopes serve fragments of triangles that are not small? They are off by up to half a level of 6 bits then, which
+ * samples allow. */
+static inline int glint_has_long_slopes(const glint_config *config) {
+    return config->samples && !config->gamma && glint_green_bits(config->format) <= 6;
 }
 
 /** Sets what a walk knows of its frame's format. */

@@ -101,6 +101,7 @@ static GLINT_INLINE uint32_t glint_spread_luma(uint32_t word, unsigned bits, uin
 
 /** Returns the threshold of a pixel. Tiles start at multiples of 8. */
 static inline uint32_t glint_threshold(const glint_target *t, uint32_t offset) {
+    GLINT_REQUIRE(t->shift >= 3 && t->shift <= 6);
     return t->dithered ? glint_dither_matrix[(offset >> t->shift & 7) * 8 + (offset & 7)] : GLINT_NEAREST;
 }
 
@@ -267,15 +268,15 @@ static GLINT_INLINE void glint_draw_smooth_span(const glint_row_walk *w, int32_t
 
 /** Defines the functions of a format, whose names end in `suffix`. `fill_tile` is glint_fill_tile, or the format's
  * own. */
-#define GLINT_DEFINE_STORES(suffix, bits, pack, put, fill_tile, is_dithered)                                    \
-    static void store_list_##suffix(void *pixels, unsigned shift, const glint_list_pixel *pixel, size_t stride, \
-                                    uint32_t count) {                                                           \
-        const glint_target target = {pixels, shift, is_dithered};                                               \
-        glint_store_list(&target, pixel, stride, count, pack, put);                                             \
-    }                                                                                                           \
-    static void fill_##suffix(void *pixels, unsigned shift, uint32_t height, const int32_t colour[3]) {         \
-        const glint_target target = {pixels, shift, is_dithered};                                               \
-        fill_tile(&target, height, colour, bits, pack, put);                                                    \
+#define GLINT_DEFINE_STORES(suffix, bits, pack, put, fill_tile, is_dithered)                               \
+    static GLINT_HOT void store_list_##suffix(void *pixels, unsigned shift, const glint_list_pixel *pixel, \
+                                              size_t stride, uint32_t count) {                             \
+        const glint_target target = {pixels, shift, is_dithered};                                          \
+        glint_store_list(&target, pixel, stride, count, pack, put);                                        \
+    }                                                                                                      \
+    static void fill_##suffix(void *pixels, unsigned shift, uint32_t height, const int32_t colour[3]) {    \
+        const glint_target target = {pixels, shift, is_dithered};                                          \
+        fill_tile(&target, height, colour, bits, pack, put);                                               \
     }
 
 /** Draws the rows of a small triangle of interpolated colours. The colours begin once a pixel is visible. */
@@ -303,44 +304,45 @@ static GLINT_INLINE void glint_draw_visible_rows(glint_row_walk *walk, glint_beg
 #define GLINT_DEFINE_ROWS(suffix)
 #define GLINT_ROWS(suffix) glint_draw_flat, glint_draw_smooth_rows
 #else
-#define GLINT_DEFINE_ROWS(suffix)                                                 \
-    static void flat_##suffix(glint_row_walk *walk) {                             \
-        const glint_vertex *v[3];                                                 \
-        const glint_begun begun = glint_begin_inline(walk, v);                    \
-        GLINT_OPAQUE(walk);                                                       \
-        if (begun == GLINT_IS_SMALL && walk->has_slopes)                          \
-            glint_draw_rows(walk, glint_begin_rows(walk), flat_span_##suffix);    \
-        else                                                                      \
-            glint_walk_flat(walk, begun);                                         \
-    }                                                                             \
-    static void rows_##suffix(glint_row_walk *walk, glint_begin_colours *begin) { \
-        glint_draw_visible_rows(walk, begin, smooth_##suffix);                    \
+#define GLINT_DEFINE_ROWS(suffix)                                                           \
+    static GLINT_HOT void flat_##suffix(glint_row_walk *walk) {                             \
+        const glint_vertex *v[3];                                                           \
+        const glint_begun begun = glint_begin_inline(walk, v);                              \
+        GLINT_OPAQUE(walk);                                                                 \
+        if (begun == GLINT_IS_SMALL && walk->has_slopes)                                    \
+            glint_draw_rows(walk, glint_begin_rows(walk), flat_span_##suffix);              \
+        else                                                                                \
+            glint_walk_flat(walk, begun);                                                   \
+    }                                                                                       \
+    static GLINT_HOT void rows_##suffix(glint_row_walk *walk, glint_begin_colours *begin) { \
+        glint_draw_visible_rows(walk, begin, smooth_##suffix);                              \
     }
 #define GLINT_ROWS(suffix) flat_##suffix, rows_##suffix
 #endif
 
 /** Defines the functions that draw spans and single pixels of lanes, given the bits of red and blue, and of green. */
-#define GLINT_DEFINE_SPANS(suffix, red_blue, green, put_pixel, keeps, is_dithered)                              \
-    static GLINT_SPAN void flat_span_##suffix(glint_row_walk *walk, int32_t row, int32_t left, int32_t right) { \
-        glint_draw_flat_span(walk, row, left, right, red_blue, green, put_pixel, keeps, is_dithered);           \
-    }                                                                                                           \
-    static GLINT_SPAN void smooth_##suffix(glint_row_walk *walk, int32_t row, int32_t left, int32_t right) {    \
-        glint_draw_smooth_span(walk, row, left, right, red_blue, green, put_pixel, keeps, is_dithered);         \
-    }                                                                                                           \
-    GLINT_DEFINE_ROWS(suffix)                                                                                   \
-    static void put_lanes_##suffix(const glint_row_walk *walk, uint32_t offset, glint_lanes lanes) {            \
-        const glint_target target = {walk->pixels, walk->shift, is_dithered};                                   \
-        if (is_dithered)                                                                                        \
-            glint_add_threshold(&lanes, glint_threshold(&target, offset), red_blue, green);                     \
-        put_pixel(&target, offset, glint_pack_lanes(lanes, red_blue, green));                                   \
+#define GLINT_DEFINE_SPANS(suffix, red_blue, green, put_pixel, keeps, is_dithered)                                     \
+    static GLINT_HOT GLINT_SPAN void flat_span_##suffix(glint_row_walk *walk, int32_t row, int32_t left,               \
+                                                        int32_t right) {                                               \
+        glint_draw_flat_span(walk, row, left, right, red_blue, green, put_pixel, keeps, is_dithered);                  \
+    }                                                                                                                  \
+    static GLINT_HOT GLINT_SPAN void smooth_##suffix(glint_row_walk *walk, int32_t row, int32_t left, int32_t right) { \
+        glint_draw_smooth_span(walk, row, left, right, red_blue, green, put_pixel, keeps, is_dithered);                \
+    }                                                                                                                  \
+    GLINT_DEFINE_ROWS(suffix)                                                                                          \
+    static void put_lanes_##suffix(const glint_row_walk *walk, uint32_t offset, glint_lanes lanes) {                   \
+        const glint_target target = {walk->pixels, walk->shift, is_dithered};                                          \
+        if (is_dithered)                                                                                               \
+            glint_add_threshold(&lanes, glint_threshold(&target, offset), red_blue, green);                            \
+        put_pixel(&target, offset, glint_pack_lanes(lanes, red_blue, green));                                          \
     }
 
 /** Defines `store_spread` of a format that packs such words. */
-#define GLINT_DEFINE_SPREAD(suffix, pack, put, is_dithered)                                    \
-    static void store_spread_##suffix(void *pixels, unsigned shift, const glint_spread *words, \
-                                      const glint_spread *end) {                               \
-        const glint_target target = {pixels, shift, is_dithered};                              \
-        glint_store_spread(&target, words, end, pack, put);                                    \
+#define GLINT_DEFINE_SPREAD(suffix, pack, put, is_dithered)                                              \
+    static GLINT_HOT void store_spread_##suffix(void *pixels, unsigned shift, const glint_spread *words, \
+                                                const glint_spread *end) {                               \
+        const glint_target target = {pixels, shift, is_dithered};                                        \
+        glint_store_spread(&target, words, end, pack, put);                                              \
     }
 
 /** These are GLINT_FORMAT's `edge`: the first where pixels of a row share bytes, the second where pixels of a column
@@ -355,10 +357,10 @@ static GLINT_INLINE void glint_draw_visible_rows(glint_row_walk *walk, glint_beg
 #define GLINT_SPREAD_ANY(suffix) store_spread_##suffix, 0
 
 /** Describes a format of so many bits a pixel and a channel; channels have 0 bits for luma. */
-#define GLINT_FORMAT(suffix, bits, edge, red, green, blue, spread, is_dithered)                                    \
-    {                                                                                                              \
-        bits, {red, green, blue}, edge(bits), is_dithered, store_list_##suffix, fill_##suffix, GLINT_ROWS(suffix), \
-            flat_span_##suffix, smooth_##suffix, put_lanes_##suffix, spread(suffix)                                \
+#define GLINT_FORMAT(suffix, bits, edge, red, green, blue, keeps, spread, is_dithered)                                 \
+    {                                                                                                                  \
+        bits, {red, green, blue}, edge(bits), is_dithered, (keeps) == GLINT_KEEPS_SWAPPED, store_list_##suffix,        \
+            fill_##suffix, GLINT_ROWS(suffix), flat_span_##suffix, smooth_##suffix, put_lanes_##suffix, spread(suffix) \
     }
 
 /** Defines a format and its dithered twin, which the linker keeps only where they are named. */
@@ -367,8 +369,8 @@ static GLINT_INLINE void glint_draw_visible_rows(glint_row_walk *walk, glint_beg
     GLINT_DEFINE_STORES(name##_dithered, bits, pack, put, fill_tile, 1)                                               \
     GLINT_DEFINE_SPANS(name, red, (green) ? (green) : (bits), put, keeps, 0)                                          \
     GLINT_DEFINE_SPANS(name##_dithered, red, (green) ? (green) : (bits), put, keeps, 1)                               \
-    const glint_format glint_format_##name = GLINT_FORMAT(name, bits, edge, red, green, blue, spread, 0);             \
+    const glint_format glint_format_##name = GLINT_FORMAT(name, bits, edge, red, green, blue, keeps, spread, 0);      \
     const glint_format glint_format_##name##_dithered =                                                               \
-        GLINT_FORMAT(name##_dithered, bits, edge, red, green, blue, spread_dithered, 1)
+        GLINT_FORMAT(name##_dithered, bits, edge, red, green, blue, keeps, spread_dithered, 1)
 
 #endif

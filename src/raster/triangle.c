@@ -54,7 +54,7 @@ static inline void step_exact_side(exact_side *side) {
     }
 }
 
-static GLINT_NOINLINE void walk_any(glint_row_walk *walk) {
+static GLINT_HOT GLINT_NOINLINE void walk_any(glint_row_walk *walk) {
     const glint_corners *const k = &walk->corners;
     const glint_corner_word a = k->a, b = k->b, c = k->c;
     const int32_t width = walk->part->window.width, left_end = glint_row_of(b), right_end = glint_row_of(c);
@@ -85,11 +85,11 @@ static inline void draw_its_span(glint_row_walk *walk, int32_t row, int32_t left
     walk->draw_span(walk, row, left, right);
 }
 
-void glint_walk_small(glint_row_walk *walk) {
+GLINT_HOT void glint_walk_small(glint_row_walk *walk) {
     glint_draw_rows(walk, glint_begin_rows(walk), draw_its_span);
 }
 
-int glint_find_visible_row(glint_row_walk *walk) {
+GLINT_HOT int glint_find_visible_row(glint_row_walk *walk) {
     glint_row_state at = glint_begin_rows(walk);
     const int is_visible = glint_seek_visible(walk, &at);
     glint_keep_rows(walk, &at);
@@ -98,7 +98,16 @@ int glint_find_visible_row(glint_row_walk *walk) {
 
 /* ---- Triangles ---- */
 
-/* Finds area, plane of 1/w and slopes of a small triangle whose rows are walked, where slopes serve it. */
+/* May slopes serve a triangle that is not small? */
+static int is_long(const glint_row_walk *walk) {
+    const glint_corners *const k = &walk->corners;
+    const uint32_t to_b = (uint32_t)(glint_x_of(k->b) - glint_x_of(k->a) + GLINT_LONG_DX),
+                   to_c = (uint32_t)(glint_x_of(k->c) - glint_x_of(k->a) + GLINT_LONG_DX);
+    return walk->draw->fragments & GLINT_HAVE_LONG_SLOPES && to_b < 2 * GLINT_LONG_DX && to_c < 2 * GLINT_LONG_DX &&
+           glint_most(glint_row_of(k->b), glint_row_of(k->c)) - glint_row_of(k->a) <= GLINT_LONG_ROWS;
+}
+
+/* Finds area, plane of 1/w and slopes of a triangle, where slopes serve it. */
 static void begin_late_slopes(glint_row_walk *walk) {
     glint_begin_slopes(walk, walk->from_top);
     if (walk->has_slopes)
@@ -108,19 +117,15 @@ static void begin_late_slopes(glint_row_walk *walk) {
 /* Begins the rows of a triangle, whose slopes are found once a row has a span. */
 static glint_begun begin_rows(glint_row_walk *walk) {
     const glint_begun begun = glint_find_rows(walk, walk->from_top);
-    walk->has_slopes = 0;
-    if (begun == GLINT_IS_SMALL) {
-        walk->has_slopes = GLINT_SLOPES_UNKNOWN;
+    walk->has_slopes = begun == GLINT_IS_SMALL || (begun == GLINT_IS_LARGE && is_long(walk)) ? GLINT_SLOPES_UNKNOWN : 0;
+    if (begun == GLINT_IS_SMALL)
         glint_find_sides(walk);
-    }
     return begun;
 }
 
 glint_begun glint_begin_triangle(glint_row_walk *walk) {
-    if (!GLINT_SMALL)
-        return glint_begin_inline(walk, walk->from_top);
-    const glint_begun begun = begin_rows(walk);
-    if (begun == GLINT_IS_SMALL)
+    const glint_begun begun = GLINT_SMALL ? begin_rows(walk) : glint_begin_inline(walk, walk->from_top);
+    if (GLINT_SMALL ? walk->has_slopes : begun == GLINT_IS_LARGE && is_long(walk))
         begin_late_slopes(walk);
     return begun;
 }

@@ -46,6 +46,11 @@ typedef struct glint_window {
 /** A small triangle has at most so many rows. */
 #define GLINT_SHORT_ROWS 31
 
+/** With samples, slopes also serve triangles of up to so many rows, whose corners lie within so many sixteenths of a
+ * pixel of the top one in x: sums of products of differences stay below 3 2^28. */
+#define GLINT_LONG_ROWS 63
+#define GLINT_LONG_DX 1536
+
 /** A part of a triangle lies in one tile. Its anchor is the pixel of the triangle's first corner. */
 typedef struct glint_part {
     glint_window window;
@@ -183,11 +188,20 @@ typedef struct glint_row_walk {
     glint_plane z;             /* 1/w, Q31, with GLINT_DEPTH_BIAS */
     uint32_t packed;           /* the pixel of a flat colour */
     glint_lanes lanes[3];      /* a colour; a flat one uses the first alone */
+    glint_lanes gloss[2];      /* highlights on a texture, the same in all rows; light/cells.c */
     glint_plane w, channel[3]; /* of colours that are divided: light/draw.c; of normals: light/lamps.c */
     struct glint_lamp_list *list;
     struct glint_sun_triangle *suns;
-    const glint_draw *lit; /* the draw whose lights are in the workspace, or null */
+    struct glint_texture_map *map; /* of a triangle that wears a texture */
+    const glint_draw *lit;         /* the draw whose lights are in the workspace, or null */
 } glint_row_walk;
+
+/** Draws on this depth and these pixels from now on. */
+static inline void glint_walk_on(glint_row_walk *walk, uint16_t *depth, void *pixels) {
+    walk->depth = depth;
+    walk->pixels = pixels;
+    walk->from_depth = (uintptr_t)pixels - (uintptr_t)glint_ahead(depth);
+}
 
 /** Begins with the triangles of a tile, the part's window. */
 static inline void glint_walk_begin_tile(glint_row_walk *walk, const glint_frame *frame, glint_workspace *workspace,
@@ -195,9 +209,7 @@ static inline void glint_walk_begin_tile(glint_row_walk *walk, const glint_frame
     walk->frame = frame;
     walk->workspace = workspace;
     walk->part = part;
-    walk->depth = workspace->depth;
-    walk->pixels = workspace->pixels;
-    walk->from_depth = (uintptr_t)walk->pixels - (uintptr_t)glint_ahead(walk->depth);
+    glint_walk_on(walk, workspace->depth, workspace->pixels);
     walk->shift = frame->tile_shift_x;
     walk->lit = 0;
 }
@@ -225,6 +237,13 @@ static GLINT_INLINE glint_lanes glint_lanes_at(const glint_row_walk *walk, int32
     const uint32_t x = (uint32_t)column, y = (uint32_t)row;
     return (glint_lanes){l[0].red_blue + l[1].red_blue * x + l[2].red_blue * y,
                          l[0].green + l[1].green * x + l[2].green * y};
+}
+
+/** Returns the highlights on a texture at a column. */
+static GLINT_INLINE glint_lanes glint_gloss_at(const glint_row_walk *walk, int32_t column) {
+    const glint_lanes *g = walk->gloss;
+    const uint32_t x = (uint32_t)column;
+    return (glint_lanes){g[0].red_blue + g[1].red_blue * x, g[0].green + g[1].green * x};
 }
 
 /** Sets up 1/w of a triangle whose rows are walked: by slopes, or else by gradients. */

@@ -237,7 +237,11 @@ void glint_camera_orbit(glint_camera *camera, glint_vector at, glint_q16 yaw, gl
 
 glint_material glint_material_paint(const glint_shading_model *model, glint_colour paint, glint_q16 ambient_fraction,
                                     glint_q16 shininess) {
-    glint_material material = {model, paint, paint, {GLINT_ONE, GLINT_ONE, GLINT_ONE}, shininess, 0};
+    glint_material material = {.model = model,
+                               .ambient = paint,
+                               .diffuse = paint,
+                               .specular = {GLINT_ONE, GLINT_ONE, GLINT_ONE},
+                               .shininess = shininess};
     glint_q16 *const ambient[3] = {&material.ambient.r, &material.ambient.g, &material.ambient.b};
     for (int c = 0; c < 3; c++)
         *ambient[c] = (glint_q16)glint_round_shift64((int64_t)*ambient[c] * ambient_fraction, 16);

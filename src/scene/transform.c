@@ -353,6 +353,10 @@ static void set_short_matrix(glint_transform *transform) {
     set_short_row(&transform->matrix[0], transform->translation[0], up, m->x);
     set_short_row(&transform->matrix[1], transform->translation[1], up, m->y);
     set_short_row(&transform->matrix[2], transform->translation[2], up_w, m->w);
+    const uint32_t middle = (uint32_t)m->w[3];
+    const uint32_t extent = (magnitude(m->w[0]) + magnitude(m->w[1]) + magnitude(m->w[2])) << 15;
+    if (middle + extent > INT32_MAX || middle - extent < 1u << 28) /* rounding of entries moves w by up to 3 2^14 */
+        return;
     to_pixels(m->x);
     to_pixels(m->y);
     m->nearest =
@@ -363,10 +367,10 @@ static void set_short_matrix(glint_transform *transform) {
 }
 
 int64_t glint_transform_nearest(const glint_transform *transform, const glint_view *view) {
-    int32_t w = transform->least_w;
-    if (w <= transform->near_plane)
+    const int32_t w = glint_most(transform->least_w, transform->near_plane);
+    if (w == transform->near_plane && w > SMALLEST_W)
         return view->near_plane;
-    int64_t nearest = glint_shift_round64(w, transform->exponent - 28);
+    const int64_t nearest = glint_shift_round64(w, transform->exponent - 28);
     return nearest > view->near_plane ? nearest : view->near_plane;
 }
 

@@ -60,7 +60,7 @@ typedef struct glint_view {
     uint8_t local_viewer;
     uint8_t has_positions; /* whether a light has a position, or rays are parallel: then fragments have rays */
     uint8_t is_parallel;
-    glint_prepared_light lights[GLINT_LIGHTS_MAX];
+    glint_prepared_light lights[1]; /* as many as the scene has */
 } glint_view;
 
 /** Returns the bytes of a view with so many lights. */
@@ -74,9 +74,10 @@ typedef struct glint_depth_range {
     int32_t far_ray, range_ray; /* the farthest w, and that of depth 2^31, in the units of rays */
 } glint_depth_range;
 
-/** A view with its range of depths, which not all have. */
+/** A view of the most lights, with its range of depths, which not all have. */
 typedef struct glint_whole_view {
     glint_view view;
+    glint_prepared_light more[GLINT_LIGHTS_MAX - 1];
     glint_depth_range range;
 } glint_whole_view;
 
@@ -101,6 +102,8 @@ struct glint_projection {
     int32_t (*distance_of)(const glint_view *view, int32_t depth);
     /** Returns the depth, Q31, of a distance, Q28. It may be below 0 or beyond 2^31. */
     int64_t (*depth_at)(const glint_view *view, int64_t w);
+    /** Finds the distance of depth 2^15, and the range from there to the nearest, Q28. */
+    void (*get_range)(const glint_view *view, int64_t *farthest, int64_t *range);
 };
 
 /** No depth of a vertex is larger in perspective. Depths of parallel rays lie above it. */
@@ -244,7 +247,7 @@ void glint_transform_begin_normals(glint_transform *transform, const glint_view 
 /** Does the part of it that needs view->nearest, again. */
 void glint_transform_place(glint_transform *transform, const glint_view *view);
 
-/** Returns the smallest w of the object's bounding box, Q28, no less than the near plane. */
+/** Returns the smallest w of the object's bounding box, Q28, no less than the near plane as the object is cut there. */
 int64_t glint_transform_nearest(const glint_transform *transform, const glint_view *view);
 
 /**

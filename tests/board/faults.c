@@ -44,6 +44,7 @@ static int draw(uint32_t picture, fault_kind fault) {
     between.next = fault;
     between.tiles = between.status = 0;
     turntable_frame(&table, (turntable_model)(picture / 2), picture % 2);
+    turntable_fit(&table, glint_panel_width(&faults_panel), glint_panel_height(&faults_panel));
     const glint_status status = glint_render(&renderer, &table.scene);
     return status == GLINT_ERROR_FLUSH || status == GLINT_OK ? between.status : (int)status;
 }

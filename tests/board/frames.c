@@ -13,7 +13,10 @@
 /* The teapot at once in the largest format and tiles. */
 #define ARENA_MOST (96 * 1024)
 
-static uint32_t arena[(BOARD_ARENA < ARENA_MOST ? BOARD_ARENA : ARENA_MOST) / sizeof(uint32_t)];
+/* What boards spare for programs that have a scene in memory is less: these have it on the stack. */
+#define ARENA_SPARED (BOARD_ARENA - 512)
+
+static uint32_t arena[(ARENA_SPARED < ARENA_MOST ? ARENA_SPARED : ARENA_MOST) / sizeof(uint32_t)];
 
 static glint_status prepare(glint_config *config, const glint_scene *scene, int smallest) {
     glint_need need;
@@ -37,6 +40,8 @@ static glint_status draw(glint_flush flush, const glint_scene *scene, const fram
     config.tile_width = options->tile_width ? options->tile_width : BOARD_TILE_WIDTH;
     config.tile_height = options->tile_height ? options->tile_height : BOARD_TILE_HEIGHT;
     config.format = options->format;
+    config.layers = options->layers;
+    config.samples = options->samples;
     config.flush = flush;
     glint_status status = prepare(&config, scene, options->smallest);
     if (status == GLINT_OK) {

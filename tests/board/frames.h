@@ -13,6 +13,8 @@ typedef struct frame_options {
     const glint_format *format;
     uint16_t tile_width, tile_height; /**< 0 for the board's own. */
     int smallest;                     /**< In the smallest arena, not in the best. */
+    const glint_layer_stage *layers;
+    const glint_sampling *samples;
 } frame_options;
 
 /** A picture in memory. */

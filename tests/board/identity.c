@@ -96,7 +96,7 @@ static int draw_tiles(void (*write)(const char *text), turntable_model model, ui
     int failed = 0;
 
     for (int i = 0; i < 32; i++) {
-        const frame_options options = {NULL, tile_sizes[i & 3], tile_sizes[i >> 2 & 3], i >> 4};
+        const frame_options options = {NULL, tile_sizes[i & 3], tile_sizes[i >> 2 & 3], i >> 4, NULL, NULL};
         if (!square || options.tile_width == options.tile_height) {
             failed += draw(write, model, frame, format, options);
         }
@@ -118,7 +118,7 @@ static int draw_stage(void (*write)(const char *text), const identity_format *fo
 
 /* One frame of each variant of each scene. */
 static int draw_variants(void (*write)(const char *text)) {
-    const frame_options options = {NULL, 0, 0, 0};
+    frame_options options = {NULL, 0, 0, 0, NULL, NULL};
     int failed = 0;
 
     for (int i = 0; i < EXAMPLE_SCENES; i++) {
@@ -128,6 +128,8 @@ static int draw_variants(void (*write)(const char *text)) {
             write(scene->name);
             write(" ");
             write(scene->variants[variant].name);
+            options.layers = stage.layers;
+            options.samples = stage.samples;
             failed += draw_stage(write, &formats[WIDEST], options);
         }
     }

@@ -174,6 +174,7 @@ static glint_status draw(glint_renderer *renderer, turntable_model model, power_
     turntable table;
 
     turntable_frame(&table, model, 0);
+    turntable_fit(&table, renderer->config.width, renderer->config.height);
     if (model == TURNTABLE_TORUS) {
         mark(MARK_SCENE);
     }

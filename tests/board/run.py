@@ -2,28 +2,32 @@
 # SPDX-License-Identifier: MIT
 """Runs firmware on an emulated board, and writes what its panel shows: for `make run`, with nothing to compare it with.
 
-run.py --stream PANEL_STREAM --output DIRECTORY [--frames N] BOARD FIRMWARE...
+run.py --stream PANEL_STREAM --output DIRECTORY [--frames N] [--patience SECONDS] [--plugin FILE --cpu NAME] BOARD FIRMWARE...
 
 FIRMWARE: an ELF file, and what programmers take. A picture is written at each checkpoint, at most N, and of what stands on
-the panel when the program ends, or has said nothing for a while.
+the panel when the program ends, or has said nothing for a while. With the plugin of tools/cycles, the instructions of each
+frame of glint_render are counted, and the cycles that a core of that name takes for them.
 """
 import argparse
 import os
 import shutil
 import subprocess
 import sys
+import tempfile
 
+sys.path.append(os.path.join(os.path.dirname(__file__), "..", "..", "tools", "cycles"))
+import costs
 import show
 from qemu import Died
 from picture import read_netpbm, write_png
 
-# Seconds without a checkpoint.
-PATIENCE = 30
+# How tools/cycles/costs.py calls the compiler's cores. Some Cortex-M0 multiply in 1 cycle, as a Cortex-M0+ does, others in 32.
+CORES = {"cortex-m0": ("m0+", "m0"), "cortex-m0plus": ("m0+",), "cortex-m3": ("m3",), "cortex-m4": ("m4",)}
 
 
 def capture(board, firmware, arguments):
     """@return what the firmware wrote. Pictures lie in arguments.output as PPM, by the names of their checkpoints."""
-    board.frames, board.patience = arguments.frames, PATIENCE
+    board.frames, board.patience = arguments.frames, arguments.patience
     if not board.module:
         return board.capture(firmware, arguments.output)
     stream = os.path.join(arguments.output, "stream")
@@ -35,6 +39,17 @@ def capture(board, firmware, arguments):
                                    stdout=subprocess.PIPE, text=True, cwd=arguments.output)
         if model.returncode:
             print("the panel's model complains:\n" + model.stdout)
+
+
+def prices(board, cpu, counts, stream):
+    """A line for each frame: what it costs, the sending included. The Pico's first one has the start in it, and none."""
+    if board is show.BOARDS["pico"]:
+        for number, (all_of, bus) in list(enumerate(board.frame_times(stream)))[1:]:
+            yield "  frame %d: %.1f ms, the bus is busy for %.1f ms" % (number, all_of, bus)
+    for number, frame in enumerate(costs.read(counts)):
+        cycles = " to ".join("%.3f" % (costs.cycles(frame, core) / 1e6) for core in CORES.get(cpu, ()))
+        yield "  frame %d: %.3f million instructions" % (number, costs.instructions(frame) / 1e6) + (
+            ", by the model %s million cycles of a %s" % (cycles, cpu) if cycles else "")
 
 
 def write_pictures(directory):
@@ -53,9 +68,10 @@ def write_pictures(directory):
 
 def main():
     parser = argparse.ArgumentParser()
-    for name in ("--stream", "--output", "board"):
+    for name in ("--stream", "--output", "--plugin", "--cpu", "board"):
         parser.add_argument(name)
     parser.add_argument("--frames", type=int)
+    parser.add_argument("--patience", type=float, default=30, help="seconds without a checkpoint")
     parser.add_argument("firmware", nargs="+")
     arguments = parser.parse_args()
     shutil.rmtree(arguments.output, ignore_errors=True)
@@ -65,10 +81,14 @@ def main():
         print("%s has no emulated panel: what its glass shows is seen on the board alone" % arguments.board)
         return 0
     board = show.BOARDS[arguments.board]
+    counts = tempfile.NamedTemporaryFile()
+    if arguments.plugin:
+        board.counting = ("-plugin", "%s,out=%s" % (os.path.abspath(arguments.plugin), counts.name))
     problem = None
     try:
         lines = capture(board, next(path for path in arguments.firmware if path.endswith(board.takes)), arguments)
         print("".join("  %s\n" % line for line in lines), end="")
+        print("".join("%s\n" % line for line in prices(board, arguments.cpu, counts.name, os.path.join(arguments.output, "stream"))), end="")
     except FileNotFoundError as missing:
         problem = "%s is missing: tools/setup.sh installs it" % missing.filename
     except Died as died:

@@ -80,6 +80,15 @@ class Pico:
             words = file.read().splitlines()[-1].split()
         return int(words[2]), int(words[6])
 
+    @staticmethod
+    def frame_times(stream):
+        """(milliseconds, of these on the bus) of each picture, of the first one from the start on."""
+        with open(stream) as file:
+            done = [tuple(map(int, pair)) for pair in
+                    re.findall(r"^# instructions \d+ nanoseconds (\d+) bus (\d+)$", file.read(), re.M)]
+        return [((time - time_before) / 1e6, (bus - bus_before) / 1e6)
+                for (time, bus), (time_before, bus_before) in zip(done, [(0, 0)] + done)]
+
     def more(self, tally, firmware, stream):
         """Sending and drawing overlap: a bus that takes no time saves less than the time on it."""
         free = stream + "-free"
@@ -94,6 +103,7 @@ class Pico:
 class Emulated:
     """A board in QEMU, which stops at each checkpoint to be looked at."""
     qemu, module, options, rotation, takes = "qemu-system-arm", None, (), 0, ".elf"
+    counting = ()  # options by which a plugin counts
     frames = None  # it ends after so many, where it is told so
     patience = None  # seconds without a word after which it is looked at and ends, where it is told so
 
@@ -112,7 +122,7 @@ class Emulated:
         """@return what the firmware wrote, line by line; Died when it did not end well. Firmware that says "reset 0 done" is
         reset there, and runs on to its first checkpoint."""
         lines, prefix = [], ""
-        with Machine(self.qemu, self.machine, firmware, ["stop"], options=self.options) as machine:
+        with Machine(self.qemu, self.machine, firmware, ["stop"], options=self.options + self.counting) as machine:
             for line in iter(lambda: self.next_line(machine), None):
                 lines.append(line)
                 if line == "reset 0 done":

@@ -1,11 +1,12 @@
 /* SPDX-License-Identifier: MIT */
 /*
  * What firmware must show on a display: show_host PROGRAM WIDTH HEIGHT FORMAT DIRECTORY, PROGRAM `show`, `animate`,
- * `compose` or `moving` (examples/firmware), writes DIRECTORY/<name>-<frame>.ppm for each frame, levels expanded to
- * 255, and prints their names.
+ * `night`, `compose` or `moving` (examples/firmware), writes DIRECTORY/<name>-<frame>.ppm for each frame, levels
+ * expanded to 255, and prints their names.
  */
 #include "compose/compose.h"
 #include "firmware/animation.h"
+#include "firmware/night.h"
 #include "moving/moving.h"
 #include "picture.h"
 #include "turntable/turntable.h"
@@ -63,7 +64,8 @@ typedef struct target {
 static int draw(const target *to, const glint_scene *scene, const char *name, uint32_t frame) {
     char path[512];
     picture image = picture_open(to->width, to->height, to->format);
-    const glint_status status = picture_render(&image, scene, NULL, NULL);
+    const picture_options options = {.layers = &glint_layers};
+    const glint_status status = picture_render(&image, scene, &options, NULL);
 
     snprintf(path, sizeof path, "%s/%s-%u.ppm", to->directory, name, (unsigned)frame);
     const int failed = status != GLINT_OK || write_picture(path, &image);
@@ -82,6 +84,7 @@ static int draw_show(const target *to) {
     for (uint32_t i = 0; i < TURNTABLE_MODELS * FRAMES; i++) {
         const turntable_model model = (turntable_model)(i / FRAMES);
         turntable_frame(&table, model, i % FRAMES);
+        turntable_fit(&table, (uint16_t)to->width, (uint16_t)to->height);
         if (draw(to, &table.scene, turntable_name(model), i % FRAMES)) {
             return 1;
         }
@@ -91,10 +94,26 @@ static int draw_show(const target *to) {
 
 static int draw_animate(const target *to) {
     static example_stage stage;
+    const target dithered = {to->width, to->height, animation_format(to->format), to->directory};
     const example_scene *scene;
 
     for (uint32_t i = 0; (scene = animation_build(&stage, i, (uint16_t)to->width, (uint16_t)to->height)) != NULL; i++) {
-        if (draw(to, &stage.scene, scene->name, i % ANIMATION_FRAMES)) {
+        if (draw(&dithered, &stage.scene, scene->name, i % ANIMATION_FRAMES)) {
+            return 1;
+        }
+    }
+    return 0;
+}
+
+/* Dithered, in RGB565. */
+static int draw_night(const target *to) {
+    static example_stage stage;
+    target dithered = *to;
+
+    dithered.format = &glint_format_rgb565_dithered;
+    for (uint32_t frame = 0; frame < NIGHT_FRAMES; frame++) {
+        night_build(&stage, frame, (uint16_t)to->width, (uint16_t)to->height);
+        if (draw(&dithered, &stage.scene, "night", frame)) {
             return 1;
         }
     }
@@ -154,11 +173,12 @@ int main(int argc, char **argv) {
     const glint_format *format = argc == 6 ? find_format(argv[4]) : NULL;
 
     if (!format) {
-        fputs("show_host show|animate|compose|moving WIDTH HEIGHT rgb565|rgb444|mono|grey4 DIRECTORY\n", stderr);
+        fputs("show_host show|animate|night|compose|moving WIDTH HEIGHT rgb565|rgb444|mono|grey4 DIRECTORY\n", stderr);
         return 2;
     }
     const target to = {atoi(argv[2]), atoi(argv[3]), format, argv[5]};
     return strcmp(argv[1], "animate") == 0   ? draw_animate(&to)
+           : strcmp(argv[1], "night") == 0   ? draw_night(&to)
            : strcmp(argv[1], "compose") == 0 ? draw_compose(&to)
            : strcmp(argv[1], "moving") == 0  ? draw_moving(&to)
                                              : draw_show(&to);

@@ -41,10 +41,18 @@ static uint32_t from[256], to[256];
 #endif
 
 __asm(".text\n"
+      ".align 2\n"
       ".thumb_func\n"
       "cycles_called:\n"
       "push {r4, lr}\n"
       "pop {r4, pc}\n");
+
+/* Words that are read where code lies. */
+__asm(".section .rodata.cycles_table, \"a\"\n"
+      ".global cycles_table, cycles_table_end\n"
+      "cycles_table: .word 1, 2\n"
+      "cycles_table_end:\n"
+      ".text\n");
 
 int main(void) {
 #ifdef __ARM_FP
@@ -66,6 +74,8 @@ int main(void) {
                  "nop\n"
                  "2: cmp r0, r0\n"
                  "bne 2b\n");
+    LOOP("table", "ldr r4, =cycles_table\n"
+                  "ldmia r4!, {r5, r6}\n");
 #if __ARM_ARCH >= 7
     LOOP("long", "umull r4, r5, r4, r5\n"
                  "umlal r4, r5, r6, r7\n"

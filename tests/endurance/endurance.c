@@ -103,7 +103,8 @@ uint32_t endurance_run(uint32_t frames, void (*write)(const char *text)) {
                                  .flush = {.begin = add_pixels},
                                  .arena = arena,
                                  .arena_size = sizeof arena,
-                                 .keeps_arena = 1};
+                                 .keeps_arena = 1,
+                                 .layers = &glint_layers};
     static glint_renderer renderer;
     uint32_t drawn = 0, rounds = 0, differing = 0;
     if (glint_init(&renderer, &config) != GLINT_OK)

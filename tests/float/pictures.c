@@ -4,15 +4,12 @@
  * each workload of the benchmark in RGB565. Its coverage is judged for the vertices as it snapped them, its colours by
  * PSNR over covered pixels: what is lit per vertex or per facet is held against a reference that is lit so too.
  */
-#include "draw.h"
 #include "harness.h"
-#include "reference.h"
-#include "renderer.h"
+#include "snapped.h"
 #include "workloads.h"
 
 #include <math.h>
 #include <stdio.h>
-#include <stdlib.h>
 
 #define PIXELS (320 * 240)
 
@@ -35,49 +32,6 @@ static uint16_t colour[PIXELS];
 static int32_t depth[PIXELS];
 static float_memory memory;
 static reference_pixel exact[PIXELS];
-
-/* ---- Vertices as they are drawn ---- */
-
-static reference_position position_of(const float_vertex *vertex) {
-    const double column = 0.5 - 1.0 / 4096; /* what a vertex's x is shifted by */
-
-    return (reference_position){(int32_t)lrint(16 * (vertex->x - column)), (int32_t)lrint(16 * (double)vertex->y),
-                                vertex->inverse_w > 0};
-}
-
-/* @return an array of the object's positions, the caller's to free; null when none of it can be seen */
-static reference_position *snap(const float_frame *frame, const glint_object *object) {
-    static float_draw draw;
-    const uint32_t count = object->mesh->vertex_count;
-    reference_position *positions = malloc(count * sizeof *positions);
-
-    draw = (float_draw){.frame = frame, .object = object, .side = 1};
-    float_prepare_object(&draw);
-    const float_whereabouts where = float_locate(&draw);
-    if (where == FLOAT_OUTSIDE || !positions) {
-        free(positions);
-        return NULL;
-    }
-    float_transform(&draw, where);
-    for (uint32_t i = 0; i < count; i++)
-        positions[i] = position_of(&memory.vertices[i]);
-    return positions;
-}
-
-static void draw_reference(const float_screen *screen, const glint_scene *scene) {
-    const reference_image image = {(int)screen->width, (int)screen->height, exact};
-    static reference_position *positions[BOXES_MAX];
-    float_frame frame = {.screen = screen, .memory = &memory, .scene = scene};
-
-    if (scene->object_count > BOXES_MAX)
-        abort();
-    float_prepare_frame(&frame);
-    for (uint32_t i = 0; i < scene->object_count; i++)
-        positions[i] = snap(&frame, &scene->objects[i]);
-    reference_render(&image, scene, (const reference_position *const *)positions);
-    for (uint32_t i = 0; i < scene->object_count; i++)
-        free(positions[i]);
-}
 
 /* ---- Pixels ---- */
 
@@ -134,9 +88,11 @@ static void judge_workload(const workload *drawn) {
 
     if (!CHECK_EQUAL(workload_build(&stage, drawn), 0))
         return;
+    if (!workload_is_bare(&stage)) /* more than this renderer draws */
+        return;
     for (uint32_t frame = 0; frame < frames; frame++) {
         workload_set_frame(&stage, frame);
-        draw_reference(&screen, &stage.example.scene);
+        float_draw_reference(&screen, &memory, &stage.example.scene, exact);
         float_render(&screen, &memory, &stage.example.scene);
         compare(&screen, &total);
     }

@@ -115,11 +115,11 @@ def float_instructions(cross, objects):
     return FLOAT_INSTRUCTION.findall(run(cross + "objdump", "-d", *objects))
 
 
-def call_graph(directory, sources):
+def call_graph(paths):
     """From gcc's -fcallgraph-info: {function: (stack, set of called functions)}; statics are named file:function."""
     graph = {}
-    for source in sources:
-        with open(os.path.join(directory, source)) as file:
+    for path in paths:
+        with open(path) as file:
             text = file.read()
         for name, label in re.findall(r'node: \{ title: "([^"]*)" label: "([^"]*)"', text):
             stack = re.search(r"(\d+) bytes \((\w+)", label)
@@ -153,10 +153,15 @@ def public_functions():
     return found
 
 
+def built(directory, end):
+    """What is built of each source that there is: a folder built earlier also has what is left of others."""
+    return [os.path.join(directory, source[:-len("c")] + end) for source in sorted(glob.glob("src/*/*.c"))]
+
+
 def check_planted(tally, cross, directory):
-    objects = glob.glob(directory + "/tests/freestanding/*.o")
+    objects = [directory + "/tests/freestanding/planted.o"]
     outside = undefined(cross, objects, directory + "/planted.out")
-    graph = call_graph(directory, ["tests/freestanding/planted.ci"])
+    graph = call_graph([directory + "/tests/freestanding/planted.ci"])
     tally.check([name for name in outside if not ALLOWED.match(name)], directory + ": planted call not found")
     tally.check([name for name in outside if FLOAT_HELPER.match(name)], directory + ": planted float helper not found")
     tally.check(writable(cross, objects), directory + ": planted variable not found")
@@ -167,10 +172,12 @@ def check_planted(tally, cross, directory):
 
 
 def check_library(tally, cross, directory):
-    objects = sorted(glob.glob(directory + "/src/*/*.o"))
+    objects = built(directory, "o")
     outside = undefined(cross, objects, directory + "/glint.out")
-    graph = call_graph(directory, sorted(os.path.relpath(path, directory)
-                                         for path in glob.glob(directory + "/src/*/*.ci")))
+    graphs = built(directory, "ci")
+    lost = [path for path in graphs if not os.path.exists(path)]
+    tally.check(not lost, "no call graph, which the compiler writes beside the object: %s" % " ".join(lost))
+    graph = call_graph([path for path in graphs if path not in lost])
     floats = [name for name in outside if FLOAT_HELPER.match(name)] + float_instructions(cross, objects)
     strangers = [name for name in outside if not ALLOWED.match(name)]
     tally.check(not strangers, "%s: undefined: %s" % (directory, " ".join(strangers)))
@@ -194,7 +201,7 @@ OPTIONAL = (("glint_lines_draw", "walk_along"), ("glint_lines_project", "clip_li
 
 def check_linked(tally, cross, directory):
     """What only some programs name is in those alone, as a linker that collects sections leaves it."""
-    objects = sorted(glob.glob(directory + "/src/*/*.o"))
+    objects = built(directory, "o")
     for name, inside in OPTIONAL:
         for is_named in (False, True):
             output = directory + "/linked.out"

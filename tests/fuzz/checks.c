@@ -17,7 +17,7 @@ void check_warnings(const host_warnings *warnings, size_t least_line) {
     require(warnings->count <= PROBLEM_WARNINGS_MAX);
     for (size_t i = 0; i < warnings->count; i++) {
         check_problem(&warnings->list[i]);
-        require(warnings->list[i].line >= least_line && strncmp(warnings->list[i].text, "warning: '", 10) == 0);
+        require(warnings->list[i].line >= least_line && strncmp(warnings->list[i].text, "warning: ", 9) == 0);
     }
 }
 
@@ -94,11 +94,11 @@ static void check_quantised(const host_mesh *mesh) {
 
 void check_mesh(host_mesh *mesh) {
     require(mesh->colour_count == 0 || mesh->colour_count == mesh->position_count);
-    mesh_average_normals(mesh, MESH_NO_CREASE, MESH_BY_AREA);
+    mesh_make_normals(mesh, &(mesh_normal_rule){40, false, MESH_BY_ANGLE});
     check_corners(mesh);
     mesh_check_topology(mesh);
     check_quantised(mesh);
-    mesh_average_normals(mesh, 30.0, MESH_BY_AREA);
+    mesh_make_normals(mesh, &(mesh_normal_rule){30, true, MESH_BY_AREA});
     check_corners(mesh);
     mesh_repair_winding(mesh);
     check_corners(mesh);

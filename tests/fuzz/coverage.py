@@ -4,7 +4,7 @@
 
 Each corpus is replayed; the renderer's is also changed at random, RANDOM times by a fixed seed. An input that is
 reported fails, and so does a folder of the library of which the renderer's corpus runs fewer than 75 % of the lines, and
-a file of which fewer than 90 % are run: those of the readers of OBJ, MTL and what glint-import prints, of the command line
+a file of which fewer than 90 % are run: those of the readers of models and of what glint-import prints, of the command line
 and of panels' drivers by their own. Closes with `N passed, N failed`.
 """
 import argparse
@@ -24,6 +24,8 @@ REACHES = {
     "fuzz_differential": (),
     "fuzz_obj": ("port/host/obj.c", "port/host/text.c", "port/host/polygon.c", "port/host/topology.c"),
     "fuzz_mtl": ("port/host/mtl.c", "port/host/text.c", "port/host/material.c"),
+    "fuzz_formats": tuple("port/host/" + name for name in ("reader.c", "stl.c", "ply.c", "off.c", "json.c", "gltf", "physical.c",
+                                                              "png_read.c", "inflate.c", "texture.c")),
     "fuzz_import": ("port/host/importer.c", "port/host/join.c"),
     "fuzz_command": tuple("port/host/" + name for name in ("main.c", "settings.c", "values.c", "number.c", "shapes.c")),
     "fuzz_panel": ("port/panel/",),

@@ -30,8 +30,13 @@ void free_drawing(drawing *d) {
         free((void *)(uintptr_t)d->meshes[i].triangles);
         free((void *)(uintptr_t)d->meshes[i].colours);
         free((void *)(uintptr_t)d->meshes[i].colours565);
+        free((void *)(uintptr_t)d->meshes[i].texture_coordinates);
         cluster_free(&d->meshes[i]);
         for (int j = 0; j < 4; j++)
             free(d->stored[i][j]);
+    }
+    for (int i = 0; i < DRAWING_OBJECTS; i++) {
+        free((void *)(uintptr_t)d->texels[i]);
+        free((void *)(uintptr_t)d->palettes[i]);
     }
 }

@@ -3,7 +3,7 @@
 #ifndef GLINT_FUZZ_DRAWING_H
 #define GLINT_FUZZ_DRAWING_H
 
-#include "glint.h"
+#include "glint_extras.h"
 #include "source.h"
 
 #define DRAWING_MESHES 2
@@ -17,8 +17,11 @@ typedef struct drawing {
     void *stored[DRAWING_MESHES][4];           /**< and what they point to. */
     int is_loose;                              /**< How it looks may depend on the arena. */
     glint_material materials[DRAWING_OBJECTS];
+    glint_texture textures[DRAWING_OBJECTS];                         /**< Of those that wear one, */
+    const void *texels[DRAWING_OBJECTS], *palettes[DRAWING_OBJECTS]; /**< and what they point to. */
     glint_light lights[GLINT_LIGHTS_MAX + 1];
     glint_object objects[DRAWING_OBJECTS];
+    glint_fog fog;
     glint_scene scene;
 } drawing;
 
@@ -34,6 +37,12 @@ void take_usual_scene(source *s, drawing *d, int may_have_clusters);
 
 /** Stores arrays of meshes in layouts, now and then: sound ones, or any. */
 void take_layouts(source *s, drawing *d, int is_sound);
+
+/** Lets materials wear textures, more often than not, and gives all meshes coordinates then: sound ones, or any. */
+void take_textures(source *s, drawing *d, int is_sound);
+
+/** Lets objects blend and lie in fog, more often than not: sound ones, or any. @return whether layers are to be had */
+int take_layers(source *s, drawing *d, int is_sound);
 
 /** Mesh colours, or none: 24 bits, 16 bits, or both. */
 void take_mesh_colours(source *s, glint_mesh *mesh);

@@ -84,6 +84,7 @@ static void check_loading(const host_settings *settings) {
         require(settings->scale[i] < 0 || settings->scale[i] > 0);
     }
     require(load->weld <= OBJ_COORDINATE_MAX && load->simplify <= OBJ_ITEMS_MAX);
+    require(load->texture.side <= TEXTURE_SIDE_MAX && load->texture.type <= TEXTURE_PALETTE16);
     require(is_within(load->import.seconds, 1, 86400) && is_within(load->import.megabytes, 1, 1048576));
 }
 
@@ -100,6 +101,8 @@ static bool is_small_shape(const host_settings *settings) {
     host_problem problem = {0, ""};
     const host_shape *shape = shape_find(settings->model);
     if (shape == NULL) {
+        require(!shape_offer(&problem));
+        check_problem(&problem);
         return false;
     }
     if (!shape_make(shape, settings->model, &mesh, &problem)) {
@@ -130,10 +133,12 @@ static void load_shape(const host_settings *settings, bool converted) {
     host_model model;
     quantised_mesh mesh;
     host_problem problem = {0, ""};
+    load_options options = settings->load;
+    options.picture = NULL; /* a file */
     if (!is_small_shape(settings)) {
         return;
     }
-    if (!load_model(settings->model, &settings->load, &model, &problem)) {
+    if (!load_model(settings->model, &options, &model, &problem)) {
         check_problem(&problem);
         return;
     }

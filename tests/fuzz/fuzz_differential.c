@@ -125,7 +125,9 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     const uint32_t format = below(&s, FORMATS);
     const int width = 16 + (int)below(&s, 64), height = 16 + (int)below(&s, 48);
     take_usual_scene(&s, &d, 0); /* clusters may drop triangles that rounding turns round */
+    take_textures(&s, &d, 1);
     tame(&d);
+    (void)take_layers(&s, &d, 1);
     contract_judge(&d.scene, width, height, formats[format], &result);
     if (result.found.status == GLINT_OK) {
         keep(format, &result);

@@ -49,8 +49,8 @@ static inline void require(int condition) {
 }
 
 static inline void *allocate(size_t size) {
-    void *memory = malloc(size);
-    require(memory != NULL || size == 0);
+    void *memory = malloc(size > 0 ? size : 1);
+    require(memory != NULL);
     return memory;
 }
 

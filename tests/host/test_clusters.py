@@ -119,7 +119,7 @@ def test_clusters_hold_the_mesh(host):
     host.write("torus.obj", torus_text(20, 10))
     host.write("painted.obj", re.sub(r"^(v \S+ \S+ \S+)(\d)$", r"\1\2 0.5 0.\2 1", torus_text(20, 10), flags=re.MULTILINE))
     for name, model, *options in [("torus", "torus:24x12"), ("sphere", "sphere:16x8"), ("painted", "painted.obj"),
-                                  ("facets", "torus.obj", "--facets"),
+                                  ("facets", "torus.obj", "--flat"),
                                   ("teapot", os.path.join(MODELS, "teapot.obj")),
                                   ("featuretype", os.path.join(MODELS, "featuretype.obj")),
                                   ("tree", os.path.join(MODELS, "tree.obj"))]:
@@ -228,7 +228,7 @@ def test_meshes_without_clusters(host):
                             ("plane:20x20",), ("box",), (os.path.join(MODELS, "glow.obj"),)]:
         text = convert(host, model, "--name", "m", *options)
         host.check(f"{model} {options} has none", "cluster_list" not in text and "borrowers" not in text and
-                   text.endswith("    0, /* no clusters */\n    0, /* no layout */\n};\n\n#endif\n"))
+                   text.endswith("    0, /* no clusters */\n    0, /* no layout */\n    0,\n    {0, 0},\n    {0, 0}, /* no texture */\n};\n\n#endif\n"))
 
 
 def test_the_same_picture(host):

@@ -61,21 +61,50 @@ TRUE_OF_FIGURES = (
     "jump_near > 50 and jump_ring > 20 and jump_ring_blinn_phong < 4 and jump_half_blinn_phong > 50",
     "lit_wrong > 2 * lit_right",
     "halloween_vertex > 4",
+    "metal_size_1 < metal_size_0 / 2",
+    "viewer_moves > 8 and orbit_moves > 100 and camera_light_moves < 3 and orbit_most > 1.5 * orbit_least",
+    "models_apart > 40 and models_apart_unshiny <= 1 and near_apart < 1 and far_apart < 1",
+    "normals_facets > 4 * normals_means",
+    "lights_off < 3",
+    "shade_larger > 2 * shade_added",
+    "near_step_1 > near_step_2 > near_step_4 > near_step_8 and near_step_8 < 4 and near_step_16 < 4",
+    "ring_step_2 > ring_step_4 > ring_step_8 > ring_step_16 and ring_step_16 < 4",
+    "quarter_adds > 20 and dark_orbit_least > 20",
+    "pixels_a_triangle > 4 and teapot_vertex_dense > 2",
 )
+
+
+# Figures that sentences below pictures hold.
+CAPTIONS = {
+    "shaders:cylinder-100": ("cylinder-50_0", "cylinder-100_0", "cylinder-50_1", "cylinder-100_1"),
+    "three-spheres:blinn-phong": ("wider_1", "wider_2"),
+    "teapot:fragment": ("streak_upper", "streak_lower"),
+    "teapot:vertex-dense": ("teapot_vertex-dense", "teapot_vertex"),
+    "phong-lighting:vertex-colours": ("spot_vertex-colours",),
+    "phong-lighting:far-viewer": ("viewer_moves",),
+    "surfaces:twice-far": ("far_aspect_0", "far_aspect_1", "far_aspect_2", "far_aspect_3"),
+}
 
 
 def test_figures(host):
     """The sentences of the gallery's page are true of what is measured."""
     program = os.path.join(os.path.dirname(host.program), "..", "tests", "host", "gallery_figures")
     text = subprocess.run([program], capture_output=True, text=True, check=True).stdout
-    figures = {name.replace("-", "_"): float(value) for name, value in
-               (line.split(",", 1) for line in text.splitlines()[1:]) if not value.startswith("(")}
+    measured = dict(line.split(",", 1) for line in text.splitlines()[1:])
+    captions = dict(re.findall(r"^  (\S+)  (.+)$", subprocess.run([host.program, "scene", "--list"], capture_output=True, text=True,
+                                                                check=True).stdout, flags=re.M))
+    for title, names in CAPTIONS.items():
+        for name in names:
+            host.check(f"{title} says {name}", re.search(r"(?<![\d.])%s(?![\d]|\.\d)" % re.escape(measured[name]), captions[title]),
+                       f"{measured[name]}: {captions[title]}")
+    figures = {name.replace("-", "_"): float(value) for name, value in measured.items() if not value.startswith("(")}
     for sentence in TRUE_OF_FIGURES:
         host.check(sentence, eval(sentence, {}, figures), str(figures))  # pylint: disable=eval-used # of these sentences
-    levels = {name: [int(level) for level in value.strip("()").split()] for name, value in
-              (line.split(",", 1) for line in text.splitlines()[1:]) if value.startswith("(")}
+    levels = {name: [int(level) for level in value.strip("()").split()] for name, value in measured.items() if value.startswith("(")}
     host.check("gold's highlight is golden", levels["metal_gold"][2] < 128 < levels["metal_gold"][0], str(levels))
     host.check("plastic's is white", min(levels["metal_plastic"]) > 200 and min(levels["metal_paint"]) > 200, str(levels))
+    host.equal("a product of two colours", [levels["shine_yellow"][0::2], levels["shine_red"]], [[0, 0], [0, 0, 0]])
+    host.equal("ambient light is the same under any light", levels["ambient_light_1"], levels["ambient_light_2"])
     host.equal("tinted ambient light", levels["ambient_green"], [26, 77, 26])
     host.check("without specular light little is seen", max(levels["spot_dark-diffuse-only"]) < 40, str(levels))
 

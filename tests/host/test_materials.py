@@ -117,6 +117,36 @@ def test_models_are_the_same_however_written(host):
     host.equal("libraries are in the model's folder", host.render_bytes("sub/pair.obj", *VIEW), plain)
 
 
+def test_names_as_other_systems_write_them(host):
+    """Backslashes, quotes, drives and folders of another machine: the library that lies beside the model is found."""
+    write(host)
+    host.write("my colours.mtl", LIBRARY)
+    plain = host.render_bytes("pair.obj", *VIEW)
+    for name in (".\\colours.mtl", "C:\\Users\\me\\colours.mtl", "/home/me/models/colours.mtl", "../colours.mtl", '"colours.mtl"',
+                 '"my colours.mtl"', "my colours.mtl", ".\\my colours.mtl", "./colours.mtl"):
+        write(host, LIBRARY, PAIR.replace("colours.mtl", name))
+        host.equal(f"mtllib {name}", host.render_bytes("pair.obj", *VIEW), plain)
+    write(host, LIBRARY, PAIR.replace("usemtl red paint", 'usemtl "red paint"'))
+    host.equal("usemtl with quotes", host.render_bytes("pair.obj", *VIEW), plain)
+    write(host, LIBRARY.replace("newmtl red paint", 'newmtl "red paint"'))
+    host.equal("newmtl with quotes", host.render_bytes("pair.obj", *VIEW), plain)
+    write(host, LIBRARY.replace("newmtl blue", "newmtl"), PAIR.replace("usemtl blue", "usemtl"))
+    host.equal("names that are empty", host.render_bytes("pair.obj", *VIEW), plain)
+    write(host, LIBRARY.encode("utf-16"))
+    told(host, "UTF-16", ["pair.obj:1: warning: 'colours.mtl' is text in UTF-16, and is skipped: save it as UTF-8 or ASCII",
+                          "pair.obj:8: warning: 'red paint' is not among the materials: the default one stands (and 1 more)"])
+
+
+def test_no_highlight_without_an_exponent(host):
+    """Exporters write Ns 0 for matt: not a white veil over all that is lit."""
+    for ns, part in ((0, 0), (0.25, 0.25), (1, 1)):
+        write(host, f"newmtl red paint\nKa 0\nKd .2 .5 .2\nKs .5 .5 .5\nNs {ns}\nnewmtl blue\n")
+        left = sides(host)[0]
+        host.check(f"Ns {ns}", close(left, add((.2, .5, .2), scale(part, (.5,) * 3))), str(left))
+        left = sides(host, "--shininess", "20")[0]
+        host.check(f"Ns {ns}, --shininess 20", close(left, (.7, 1, .7)), str(left))
+
+
 def told(host, name, wanted):
     run = host.run("render", "pair.obj", *VIEW, "-o", "pair.png")
     host.equal(f"{name} is told", (run.returncode, run.stderr), (0, "".join(line + "\n" for line in wanted)))
@@ -127,11 +157,11 @@ def test_what_is_not_followed(host):
     blue = "newmtl red paint\nnewmtl blue\n"
     at = "colours.mtl:"
     for name, text, wanted in [
-            ("a texture, each once", "map_Kd a.png\nmap_Kd b.png\nbump c.png\n",
-             [at + "3: warning: 'map_Kd' is skipped: textures are not drawn (and 1 more)",
-              at + "5: warning: 'bump' is skipped: textures are not drawn"]),
-            ("transparency", "d .5\nTr .5\nTf .5 1 1\nd -halo 1\n",
-             [at + "3: warning: 'd' is skipped: transparency is not drawn (and 3 more)"]),
+            ("a texture, each once", "map_Ks a.png\nmap_Ks b.png\nbump c.png\n",
+             [at + "3: warning: 'map_Ks' is skipped: of textures only map_Kd is drawn (and 1 more)",
+              at + "5: warning: 'bump' is skipped: of textures only map_Kd is drawn"]),
+            ("transparency", "d 0\nTr 1\nTf .5 1 1\nd -halo 1\n",
+             [at + "3: warning: 'd' is skipped: of transparency only d and Tr are drawn, above 0 and up to 1 of d (and 3 more)"]),
             ("reflection", "illum 7\n", [at + "3: warning: 'illum' above 2 is taken as 2: reflections and refraction are not drawn"]),
             ("a word", "Pr 0.5\n", [at + "3: warning: 'Pr' is skipped: it is not followed"]),
             ("a colour", "Kd nan 0 0\nKa 1 1\nKs 17\nKe -1 0 0\nKd spectral a.rfl\nKd 1 1 1 1\nKd\nKa inf\n",
@@ -150,7 +180,7 @@ def test_what_is_not_followed(host):
 def test_hostile_files(host):
     outside = "is skipped: it is not in the model's folder"
     missing = "'red paint' is not among the materials: the default one stands (and 1 more)"
-    for name in ("../colours.mtl", "/etc/passwd", "a/../../b.mtl", ".."):
+    for name in ("../none.mtl", "/etc/passwd", "a/../../b.mtl", ".."):
         write(host, LIBRARY, PAIR.replace("colours.mtl", name))
         told(host, name, [f"pair.obj:1: warning: '{name}' {outside}", f"pair.obj:8: warning: {missing}"])
     for name, quote in [("none.mtl", "none.mtl"), (".", "."), ("\x01\x7f", "??")]:
@@ -198,7 +228,7 @@ def test_header(host):
     write(host)
     text = convert(host)
     host.equal("convert twice", convert(host), text)
-    host.check("the library's hash", f" * Materials from colours.mtl, whose hash is {fnv1a(LIBRARY.encode())}.\n" in text)
+    host.check("the library's hash", f" * Also read: colours.mtl, whose hash is {fnv1a(LIBRARY.encode())}.\n" in text)
     material = re.search(r"glint_material pair_material_red_paint = \{\n(.*?)\n\};", text, re.DOTALL).group(1)
     numbers = [tuple(int(v) / 65536 for v in colour.split(",")) for colour in re.findall(r"\{([^{}]*)\}", material)]
     wrong = max(abs(a - b) for got, wanted in zip(numbers, (scale(.1, RED["Ka"]), RED["Kd"], RED["Ks"]))
@@ -237,9 +267,9 @@ def test_large_material(host):
     """A material of more vertices than 16 bits can index becomes several objects of it."""
     side = 257
     rows = "".join(f"v {x} {y} {(x * y) % 7}\n" for y in range(side) for x in range(side))
-    faces = "".join(f"f {y * side + x + 1} {y * side + x + 2} {(y + 1) * side + x + 1}\n"
+    faces = "".join(f"f {y * side + x + 1} {y * side + x + 2} {(y + 1) * side + x + 2} {(y + 1) * side + x + 1}\n"
                     for y in range(side - 1) for x in range(side - 1))
-    write(host, LIBRARY, HEAD + rows + "usemtl blue\n" + faces)
+    write(host, LIBRARY, HEAD + rows + "usemtl blue\ns 1\n" + faces)
     host.equal("convert a large material", host.run("convert", "pair.obj", "-o", "pair.h").returncode, 0)
     text = host.read("pair.h").decode()
     host.equal("pieces of one material", re.findall(r"\{&(\w+), &(\w+), ", text),

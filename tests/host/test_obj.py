@@ -1,8 +1,11 @@
 # SPDX-License-Identifier: MIT
 """The OBJ reader through `render` and `info`: what is read, and how."""
+import math
 import os
 
 from harness import MODELS, SQUARE, SQUARE_VIEW, torus_text
+from test_convert import convert, mesh
+from test_shapes import cross, minus
 
 BLACK = (0, 0, 0)
 
@@ -30,13 +33,15 @@ def test_same_model_written_differently(host):
         "byte order mark": b"\xef\xbb\xbf" + "\n".join(lines).encode(),
         "comments": "# glint\n" + " # v 9\n".join(lines) + " #\n#", "blank lines": "\n\n \t\n" + "\n\n".join(lines),
         "blanks": "\n".join("\t " + line.replace(" ", " \t ") + "  " for line in lines),
+        "continued lines, blanks at their ends": "\n".join(line.replace(" ", " \\ \t\n", 2) for line in lines),
         "continued lines": "\n".join(line.replace(" ", " \\\n", 2).replace("\n1 ", "\n1\\\r\n ") for line in lines),
         "negative indices": "\n".join(negative), "triangles": "\n".join(triangles), "v/t": "\n".join(textured),
-        "groups": "o box\ng a b\ns 1\n" + "\n".join(lines) + "\ng\nvp 1 2\nend\n",
+        "groups": "o box\ng a b\ns off\n" + "\n".join(lines) + "\ng\nvp 1 2\nend\n",
         "weights": "\n".join(line + " 1" if line[0] == "v" else line for line in lines),
         "white": "\n".join(line + " 1 1 1" if line[0] == "v" else line for line in lines),
         "weights and white": "\n".join(line + " 2 1 1.0 1" if line[0] == "v" else line for line in lines),
         "other spellings": "\n".join(lines).replace(" 1", " +1.0e0", 1).replace(" -1", " -.1E+1", 1),
+        "fo, as f once was": "\n".join(lines).replace("f ", "fo "),
         "unused positions": "\n".join(lines) + "\nv 100 200 300\n",
     }
     for name, text in others.items():
@@ -47,11 +52,18 @@ def test_same_model_written_differently(host):
 # What is warned of at which line, for each of these before or in place of lines of CUBE_V + CUBE_F.
 UNREAD = "cannot be read: its materials are missing"
 UNKNOWN = "is not among the materials: the default one stands"
-TEXTURES = "is skipped: textures are not drawn"
+TEXTURES = "is skipped: of textures only map_Kd is drawn"
 ELEMENTS = "is skipped: only faces are drawn"
 WORDS = "is skipped: it is not an OBJ keyword"
 EMPTY = "has an empty index: taken as not given"
 BYTES = "has a colour above 1: all colours are taken as 0 to 255"
+FEW = "is skipped: it has fewer than 3 corners"
+NO_NORMAL = "does not have 3 finite numbers: taken as not given"
+NO_TEXTURE = "does not have 1 to 3 finite numbers: taken as 0 0"
+NORMAL_INDEX = "has a normal index that is none before it: taken as not given"
+TEXTURE_INDEX = "has a texture index that is none before it: taken as not given"
+ZBRUSH = "is skipped: colours in ZBrush's comments are not read"
+SMOOTHING = "is skipped: a smoothing group is a number or off"
 BARE = "has no colour, as others have: no colour is kept"
 
 
@@ -102,6 +114,20 @@ def test_what_is_not_followed(host):
             ("v/t/", CUBE_V + faces("/1/"), [(10, f"'5/1/' {EMPTY} (and 23 more)")]),
             ("v/", CUBE_V + faces("/"), [(10, f"'5/' {EMPTY} (and 23 more)")]),
             ("v//", CUBE_V + faces("//", "", "/1", ""), [(10, f"'5//' {EMPTY} (and 5 more)")]),
+            ("faces of two corners and less", cube + "f 1 2\nf 3\nf\n", [(15, f"'f' {FEW} (and 2 more)")]),
+            ("a truncated face", cube + "f 1 2", [(15, f"'f' {FEW}")]),
+            ("normals that are none", CUBE_V + "vn nan nan nan\nvn 0 inf 0\nvn 0 1\nvn 0 0 1 0\nvn\nvn x 0 0\n" + "".join(
+                "f " + " ".join(f"{i}//{n + 1}" for i in face) + "\n" for n, face in enumerate(corners)),
+             [(9, f"'vn' {NO_NORMAL} (and 5 more)")]),
+            ("texture coordinates that are none", "vt nan nan\nvt\nvt 0 0 0 0\nvt -Infinity 0\n" + cube.replace("f 5 6", "f 5/1 6/4"),
+             [(1, f"'vt' {NO_TEXTURE} (and 3 more)")]),
+            ("normals that are not there", CUBE_V + "vn 0 0 1\n" + cube.replace(CUBE_V, "").replace("f 5 6", "f 5//2 6//0"),
+             [(10, f"'5//2' {NORMAL_INDEX} (and 1 more)")]),
+            ("no normals at all", CUBE_V + "".join("f " + " ".join(f"{i}//{i}" for i in face) + "\n" for face in corners),
+             [(9, f"'5//5' {NORMAL_INDEX} (and 23 more)")]),
+            ("textures that are not there", CUBE_V + faces("/2"), [(10, f"'5/2' {TEXTURE_INDEX} (and 23 more)")]),
+            ("colours of ZBrush", cube + "#MRGB " + "ffff0000" * 8 + "\n#MRGB \n", [(15, f"'#MRGB' {ZBRUSH} (and 1 more)")]),
+            ("no smoothing group", "s on\ns\ns -1\n" + cube, [(1, f"'s' {SMOOTHING} (and 2 more)")]),
             ("white of 255", cube.replace("1\n", "1 255 255 255\n", 8), [(1, f"'v' {BYTES} (and 7 more)")]),
             ("a position without colour", cube.replace("1\n", "1 1 0.5 0\n", 8).replace(" 1 0.5 0", "", 2),
              [(1, f"'v' {BARE} (and 1 more)")]),
@@ -147,10 +173,11 @@ def test_normals(host):
     host.equal("v/t/n is v//n", host.render_bytes("both.obj", *CUBE_VIEW), flat_picture)
     host.equal("--crease below the angle splits", host.render_bytes("none.obj", *CUBE_VIEW, "--crease", "89"), flat_picture)
     host.equal("--crease overrides normals", host.render_bytes("smooth.obj", *CUBE_VIEW, "--crease", "30"), flat_picture)
-    averaged = host.render_bytes("none.obj", *CUBE_VIEW)
-    host.check("missing normals are smooth", averaged != flat_picture)
+    host.equal("missing normals are split at sharp edges", host.render_bytes("none.obj", *CUBE_VIEW), flat_picture)
+    host.equal("normals of length 0 are missing", host.render_bytes("zero.obj", *CUBE_VIEW), flat_picture)
+    averaged = host.render_bytes("none.obj", *CUBE_VIEW, "--smooth")
     host.equal("--crease at the angle smooths", host.render_bytes("none.obj", *CUBE_VIEW, "--crease", "90"), averaged)
-    host.equal("normals of length 0 are missing", host.render_bytes("zero.obj", *CUBE_VIEW), averaged)
+    host.equal("--smooth overrides normals", host.render_bytes("flat.obj", *CUBE_VIEW, "--smooth"), averaged)
     host.equal("info: normals", [host.info(f"{n}.obj")["normals"] for n in ("none", "flat", "zero")],
                ["computed", "given", "computed"])
 
@@ -168,6 +195,23 @@ def test_polygons(host):
                    host.render_bytes("parts.obj", *view))
     host.write("back.obj", shape + "f 5 4 3 2 1\n")
     host.equal("a concave polygon seen from behind", host.render("back.obj", *view).box(BLACK), None)
+    # A plate whose outline has corners in a row: a triangle without area would leave gaps beside its neighbours.
+    ring = [(0, 0), (1, 0), (2, 0), (3, 0), (3, 1), (3, 2), (2, 2), (0, 2), (0, 1)]
+    for turn in range(len(ring)):
+        corners = ring[turn:] + ring[:turn]
+        host.write("plate.obj", "".join(f"v {x / 10:.1f} {(x + 3 * y) / 10:.1f} {y / 10:.1f}\n" for x, y in corners) +
+                   "f " + " ".join(str(i + 1) for i in range(len(ring))) + "\n")
+        positions, _, triangles, _, _ = mesh(convert(host, "plate.obj"), "plate")
+        areas = [math.hypot(*cross(minus(positions[b], positions[a]), minus(positions[c], positions[a]))) for a, b, c in triangles]
+        host.check(f"corners in a row, from corner {turn + 1}", len(triangles) == 7 and min(areas) > 0.005, str(areas))
+    # Drawn once each: a hole that a bridge leads to, and a corner that turns inwards, four thousand kilometres away.
+    hole = [(0, 0), (4, 0), (4, 4), (0, 4), (0, 0), (1, 1), (1, 3), (3, 3), (3, 1), (1, 1)]
+    far = [(500000 + x, 4000000 + y) for x, y in ((0, 0), (3, 0), (3, 1), (1, 1), (1, 3), (0, 3))]
+    for name, corners, area in (("a bridge to a hole", hole, 12), ("far away", far, 5)):
+        host.write("plate.obj", "".join(f"v {x} {y} 100\n" for x, y in corners) + "f " + " ".join(str(i + 1) for i in range(len(corners))) + "\n")
+        positions, _, triangles, _, _ = mesh(convert(host, "plate.obj", "--centre"), "plate")
+        areas = [cross(minus(positions[b], positions[a]), minus(positions[c], positions[a]))[2] / 2 for a, b, c in triangles]
+        host.check(name, min(areas) > 0 and abs(sum(areas) - area) < 1e-3, str(areas))
     many = [f"v {x} {y} 0" for x, y in ((i / 600 - 1, -1) for i in range(1200))] + ["v 1 1 0", "v -1 1 0"]
     host.write("many.obj", "\n".join(many) + "\nf " + " ".join(str(i + 1) for i in range(1202)) + "\n")
     host.write("square.obj", SQUARE)

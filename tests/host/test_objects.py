@@ -6,7 +6,7 @@ import subprocess
 
 from harness import MODELS, torus_text
 from test_convert import COMPILERS, STRICT, convert, pair, report
-from test_import import gltf
+from test_formats import gltf
 from test_render import near
 
 MATERIALS = "newmtl red\nKd 1 0 0\nnewmtl glass\nKd 0 0 1\n"
@@ -97,11 +97,10 @@ def test_which_object(host):
 
 
 def test_nodes_are_objects(host):
-    import json  # pylint: disable=import-outside-toplevel # the only test that takes it
     nodes = [{"children": [1, 2], "name": "car"}, {"mesh": 0, "name": "wheel 1"}, {"mesh": 0, "name": "wheel 2", "translation": [5, 0, 0]}]
-    host.write("nodes.gltf", json.dumps(gltf(nodes)))
+    host.write("nodes.gltf", gltf(nodes=nodes))
     made = objects(convert(host, "nodes.gltf", "--objects"), "nodes")
-    host.equal("nodes of glTF", [(row[2], row[4], round(row[3][0], 2)) for row in made], [("wheel_1", 4, .05), ("wheel_2", 4, 5.05)])
+    host.equal("nodes of glTF", [(row[2], row[4], round(row[3][0], 2)) for row in made], [("wheel 1", 4, .05), ("wheel 2", 4, 5.05)])
 
 
 def test_two_in_one_program(host):

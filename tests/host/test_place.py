@@ -9,7 +9,7 @@ from test_convert import mesh
 
 # Seven points of a lopsided solid, and triangles of which none hides behind a symmetry.
 POINTS = [(-.7, -.5, -.4), (.8, -.5, -.3), (.1, .9, .2), (.3, -.4, .9), (-.2, .3, -.8)]
-FACES = "f 1 5 2\nf 2 5 3\nf 3 5 1\nf 1 2 4\nf 2 3 4\nf 3 1 4\n"
+FACES = "s 1\nf 1 5 2\nf 2 5 3\nf 3 5 1\nf 1 2 4\nf 2 3 4\nf 3 1 4\n"
 
 
 def text(change=lambda p: p):
@@ -36,7 +36,7 @@ NOTE = r":\d: note: coordinates reach \S+, sides \S+: drawn at {} of its size, \
 
 def test_any_size_and_place(host):
     host.write("one.obj", text())
-    for options in ([], ["--size", "100x200", "--fov", "20"], ["--rotate-x", "30", "--rotate-z", "70"]):
+    for options in ([], ["--size", "100x200", "--fov", "20"], ["--rotate-x", "30", "--rotate-z", "110"]):
         plain = host.render("one.obj", *options)
         for name, factor, offset, drawn in [("tiny", 1e-6, 0, "1e+06"), ("huge", 1e7, 0, "1e-07"), ("smaller", 1e-12, 0, "1e+12"),
                                             ("larger", 1e20, 0, "1e-20"), ("far", 1, 1e7, "1"), ("far and huge", 1e7, 3e9, "1e-07"),
@@ -103,7 +103,8 @@ def test_options(host):
         got = points(host, *options)
         worst = max(abs(a - b) for p, q in zip(got, POINTS) for a, b in zip(p, change(*q)))
         host.check(f"{' '.join(options)} puts points", len(got) == 5 and worst < 2e-4, f"{worst} {got}")
-        view = ["--eye", "1,2,6", "--size", "160x120"]
+        # Normals are made before the model is scaled: only those by area are then what they would be afterwards.
+        view = ["--eye", "1,2,6", "--size", "160x120", "--weights", "area"]
         host.write("moved.obj", text(lambda p, c=change: c(*p)))
         pictures = host.render("one.obj", *view, *options), host.render("moved.obj", *view)
         # Corners that differ by a step move edges by a pixel here and there.

@@ -114,11 +114,10 @@ def test_tiles_and_arenas(host):
 
 def stats(host, *arguments):
     run = host.run("render", *arguments, "--stats", "-o", "out.png")
-    return {name: float(value) if "." in value else int(value)
-            for name, value in (line.split(" ", 1) for line in run.stdout.splitlines())}
+    return {name: int(value) if value.isdigit() else value for name, value in (line.split(" ", 1) for line in run.stdout.splitlines())}
 
 
-STATS = ["passes", "tiles", "vertices", "triangles", "facing_away", "outside", "clipped", "hidden", "references",
+STATS = ["panel", "passes", "tiles", "vertices", "triangles", "facing_away", "outside", "clipped", "hidden", "references",
          "arena_used", "bytes_sent"]
 
 
@@ -128,9 +127,13 @@ def test_stats(host):
     host.check("--stats references", values["references"] >= values["triangles"] - values["facing_away"] - values["outside"] > 100)
     host.equal("--stats passes", values["passes"], 1)
     host.equal("--stats triangles", values["triangles"], 576)
-    host.equal("--stats bytes of rgb888", values["bytes_sent"], 320 * 240 * 3)
+    host.equal("--stats bytes of rgb888", stats(host, *TORUS, "--format", "rgb888")["bytes_sent"], 320 * 240 * 3)
     host.equal("--stats bytes of grey4", stats(host, *TORUS, "--format", "grey4", "--size", "33x8")["bytes_sent"], 17 * 8)
-    host.equal("--stats bytes of rgb565", stats(host, *TORUS, "--format", "rgb565")["bytes_sent"], 320 * 240 * 2)
+    # A user would plan for another panel than `info` and `convert` speak of, or for an arena that is too small.
+    host.equal("--stats without --format is of RGB565", values, stats(host, *TORUS, "--format", "rgb565"))
+    told = re.search(r"^320x240 +rgb565 +(\d+) +(\d+) +(\d+)$", host.run("info", TORUS[0]).stdout, re.M)
+    host.equal("--stats panel", values["panel"], "320x240 rgb565")
+    host.check("--stats and info: the same arena", int(told[2]) <= values["arena_used"] <= int(told[3]), told[0])
     host.check("--stats clipped", stats(host, *TORUS, "--near", "3.5")["clipped"] > 0)
 
 
@@ -162,7 +165,7 @@ def test_orthographic(host):
     image = host.render(*flat, "--eye", "0,3,3", "--orthographic", "6")  # turned by 45 degrees: 2 units high become 2^.5
     host.equal("slanted", image.box(BLACK), (30, 34, 59, 55))
     host.equal("what is behind the near plane", host.render(*flat, "--eye", "0,0,3", "--orthographic", "6", "--near", "3.01").box(BLACK), None)
-    host.equal("as wide where the model is framed", host.render(*flat, "--orthographic", "6").box(BLACK)[::2], (30, 59))
+    host.equal("framed, seen by 30 degrees from the right", host.render(*flat, "--orthographic", "6").box(BLACK)[::2], (32, 57))
 
 
 def test_sides(host):
@@ -203,9 +206,9 @@ def test_viewer(host):
 
 def test_default_light(host):
     image = host.render("sphere:32x16", "--specular", "0")
-    host.check("upper left is lit", image.at(130, 90)[0] > image.at(190, 150)[0] + 60)
+    host.check("upper left is lit, and the other side a little", image.at(130, 90)[0] > image.at(190, 150)[0] + 40 > 100)
     turned = host.render("sphere:32x16", "--specular", "0", "--eye", "-3,0,0")
-    host.check("the light follows the camera", turned.at(130, 90)[0] > turned.at(190, 150)[0] + 60)
+    host.check("the lights follow the camera", turned.at(130, 90)[0] > turned.at(190, 150)[0] + 40 > 100)
 
 
 def test_framing(host):
@@ -230,11 +233,15 @@ def test_demo(host):
     host.equal("demo names its file last", (run.returncode, run.stdout.splitlines()[-1:]), (0, ["sheet.png"]))
     image = png.decode(host.read("sheet.png"))
     os.remove(host.path("sheet.png"))
-    host.equal("demo size", (image.width, image.height), (960, 720))
-    for x, y, width, height in [(0, 0, 640, 480), (640, 0, 320, 240), (640, 240, 320, 240), (0, 480, 320, 240),
-                                (320, 480, 320, 240), (640, 480, 320, 240)]:
-        colours = {image.at(i, j) for j in range(y, y + height) for i in range(x, x + width)}
-        host.check(f"demo cell at {x},{y}", len(colours) > 20, f"{len(colours)} colours")
+    host.equal("demo size", (image.width, image.height), (960, 480))
+    of_panel = [{(2 * level * 255 + most) // (2 * most) for level in range(most + 1)} for most in (31, 63, 31)]
+    host.check("demo shows a panel's levels", all(level in levels for row in image.rows for pixel in row for level, levels in zip(pixel, of_panel)))
+    for x, y in [(0, 0), (320, 0), (640, 0), (0, 240), (320, 240), (640, 240)]:
+        cell = [row[x:x + 320] for row in image.rows[y:y + 240]]
+        colours = {pixel for row in cell for pixel in row}
+        edge = {*cell[0], *cell[-1], *(row[0] for row in cell), *(row[-1] for row in cell)}
+        host.check(f"demo cell at {x},{y}", len(colours) > 100, f"{len(colours)} colours")
+        host.check(f"the subject at {x},{y} is not cut off", len(edge) <= 8, f"{len(edge)} colours of dithered background")
     host.refuses("demo without models", ["demo", "--models", "none", "-o", "sheet.png"], r"none/teapot\.obj:0: .+")
 
 
@@ -243,10 +250,11 @@ def test_help_and_version(host):
         parts = re.findall(r"#define GLINT_VERSION_(?:MAJOR|MINOR|PATCH) (\d+)", file.read())
     host.equal("--version", host.run("--version").stdout, f"glint {'.'.join(parts)}\n")
     text = host.run("help").stdout
-    host.equal("help is --help", host.run("--help").stdout, text)
-    for option in ("size format eye at up fov near rotate-x rotate-y rotate-z up-axis centre scale light ambient diffuse specular shininess viewer "
+    host.equal("help is --help, and -h", [host.run(option).stdout for option in ("--help", "-h")], [text, text])
+    host.equal("of a command too", host.run("info", "-h").stdout, host.run("info", "--help").stdout)
+    for option in ("size format eye at up fov near rotate-x rotate-y rotate-z up-axis centre scale light ambient diffuse specular shininess viewer opacity blend fog fog-type samples "
                    "background tile arena stats crease double-sided name licence models model shading combine ungated "
-                   "dither gamma weights facets repair list frame animate camera-lights labels").split():
+                   "dither gamma weights smooth flat repair list frame animate camera-lights labels").split():
         host.check(f"help names --{option}", f"--{option} " in text)
     for command in ("render", "info", "convert", "scene", "demo"):
         run = host.run(command, "--help")
@@ -264,3 +272,32 @@ def test_more_vertices_than_a_part_of_a_mesh_has(host):
     whole = host.render_bytes("sparse.obj", *view, "--arena", "1000000")
     for arena in ("2000000", "9000000"):
         host.equal(f"in {arena} bytes", host.render_bytes("sparse.obj", *view, "--arena", arena), whole)
+
+
+def test_first_picture_of_a_box(host):
+    """Three sides of three tones, none of them black: a first picture shows a solid, not a silhouette."""
+    image = host.render("box", "--size", "160x120", "--model", "lambert")
+    tones = {}
+    for row in image.rows:
+        for pixel in row:
+            tones[pixel] = tones.get(pixel, 0) + 1
+    sides = sorted(pixel[0] for pixel, count in tones.items() if count > 400 and pixel != (0, 0, 0))
+    host.check("three tones", len(sides) == 3 and sides[0] >= 40 and all(b - a >= 30 for a, b in zip(sides, sides[1:])), str(sides))
+    top, front, right = (next(image.at(x, y)[0] for x, y in places if image.at(x, y)[0] in sides)
+                         for places in (((80, 10),), ((60, 60),), ((125, 60),)))
+    host.equal("top, front and right get darker", (top, front, right), tuple(reversed(sides)))
+
+
+def test_nothing_to_see_is_said(host):
+    """A black picture says why, in place of leaving it to be guessed."""
+    host.write("square.obj", SQUARE)
+    for name, options, pattern in [
+            ("behind the camera", ["--eye", "0,0,5", "--at", "0,0,9"], r"shows nothing of the model: the camera sees no object.*"),
+            ("from its back", ["--eye", "0,0,-5"], r"shows nothing of the model: all triangles face away.*"),
+            ("from its back, on grey", ["--eye", "0,0,-5", "--background", ".5"], r"shows nothing of the model: all triangles face away.*"),
+            ("black", ["--ambient", "0", "--diffuse", "0", "--specular", "0"], r"is black: all materials are black"),
+            ("dark", ["--light", "dir:0,0,-1", "--ambient", "0", "--eye", "0,0,5"], r"is black: no light reaches what shows.*")]:
+        run = host.run("render", "square.obj", *options, "-o", "out.png")
+        host.check(f"a square, {name}", run.returncode == 0 and re.fullmatch(
+            r"square\.obj:0: warning: the picture " + pattern + r"\n", run.stderr) is not None, run.stderr)
+    host.render_bytes("square.obj", "--eye", "0,0,0.2", "--light", "dir:0,0,1:0,0,0", "--ambient", "1")  # one colour, and all there is

@@ -3,9 +3,12 @@
 import os
 import re
 import struct
+import subprocess
+import sys
 import zlib
 
 import png
+from harness import ROOT
 from test_render import STATS
 
 SMALL = ["--size", "64x48"]
@@ -39,7 +42,15 @@ def draw(host, name, *options):
 
 def test_names(host):
     host.equal("the scenes", list(scenes(host)), ["shaders", "three-spheres", "halloween", "teapot", "phong-lighting",
-                                                  "surfaces"])
+                                                  "surfaces", "still-life"])
+
+
+def test_data(host):
+    """Who changes the script and forgets the header would not see what he did."""
+    folder = os.path.join(ROOT, "examples", "scenes")
+    made = subprocess.run([sys.executable, os.path.join(folder, "make_still_life.py")], capture_output=True, text=True, check=True)
+    with open(os.path.join(folder, "still_life_data.h"), encoding="utf-8") as file:
+        host.check("still_life_data.h is what make_still_life.py writes", file.read() == made.stdout)
 
 
 def test_every_variant(host):

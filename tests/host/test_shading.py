@@ -155,7 +155,7 @@ def test_shading(host):
     pictures = {name: host.render(*torus, "--shading", name) for name in ("flat", "vertex", "fragment")}
     host.equal("fragment is the default", pictures["fragment"].rows, host.render(*torus).rows)
     host.check("they differ", len({str(p.rows) for p in pictures.values()}) == 3)
-    facets = host.render(*torus, "--facets")
+    facets = host.render(*torus, "--flat")
     worst = max(abs(a[0] - b[0]) for p, q in zip(facets.rows, pictures["flat"].rows) for a, b in zip(p, q))
     host.check("flat is what facet normals give", worst <= 2, f"{worst} steps")
     lamp = ["--light", "point:0,0,.5:1,1,1:0:2", *MATT]

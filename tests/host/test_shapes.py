@@ -62,7 +62,7 @@ def test_options_apply(host):
     plain, scaled = host.info("box"), mesh(convert(host, "box", "--name", "m", "--scale", "2,3,4"), "m")
     host.equal("a shape can be scaled", [round(max(p[a] for p in scaled[0]), 3) for a in range(3)], [2, 3, 4])
     host.equal("a shape's normals are its own", plain["normals"], "given")
-    host.check("--facets splits", int(host.info("sphere:8x4", "--facets")["vertices"]) > 4 * 26)
+    host.check("--flat splits", int(host.info("sphere:8x4", "--flat")["vertices"]) > 4 * 26)
     host.equal("--crease joins", host.info("box", "--crease", "180")["vertices"], "24")
     host.write("box", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")
     host.equal("a file of a shape's name has a folder", host.info("./box")["triangles"], "1")
@@ -77,3 +77,11 @@ def test_help(host):
     host.check("help names box", "\n  box[:X,Y,Z]" in text)
     for kind in ("dir:x,y,z", "point:x,y,z", "spot:x,y,z:ax,ay,az:inner,outer"):
         host.check(f"help names {kind}", f"\n    {kind}[" in text)
+
+
+def test_no_shape_and_no_file(host):
+    """Who guesses a shape's name is told those that there are."""
+    run = host.run("render", "cube", "-o", "out.png")
+    host.check("cube", run.returncode == 2 and all(f" {name}" in run.stderr for name in ("torus:NxM", "sphere:NxM", "plane:NxM", "box")) and
+               run.stderr.count("\n") == 1, run.stderr)
+    host.check("cube.obj is a file's name", "box" not in host.run("info", "cube.obj").stderr)

@@ -7,6 +7,7 @@ import subprocess
 
 from harness import Host, torus_text
 from test_convert import array, convert, mesh
+from test_shapes import cross, minus
 
 
 def off_torus(point):
@@ -128,6 +129,30 @@ def refuse_to_simplify(bare):
     bare.equal("not where nothing is to be done", run.returncode, 0)
     libraries = subprocess.run(["ldd", bare.program], capture_output=True, text=True, check=True).stdout
     bare.check("it takes no library of others", not re.search("meshopt|assimp|stdc", libraries), libraries)
+
+
+def rough_terrain(side):
+    """Heights on a grid, seen from above: slopes of up to 2 in 1."""
+    lines = []
+    for z in range(side + 1):
+        for x in range(side + 1):
+            lines.append(f"v {x / 10:.1f} {.2 * math.sin(17.3 * x * x + 5.7 * z * x + 2.1 * z * z):.4f} {z / 10:.1f}")
+    for z in range(side):
+        for x in range(side):
+            a = z * (side + 1) + x + 1
+            lines.append(f"f {a} {a + side + 1} {a + 1}\nf {a + 1} {a + side + 1} {a + side + 2}")
+    return "\n".join(lines) + "\n"
+
+
+def test_terrain_is_not_folded(host):
+    """A landscape seen from above has no holes: no triangle is turned over, or stands on edge."""
+    host.write("land.obj", rough_terrain(40))
+    for most in (1600, 800, 400):
+        positions, _, triangles, _, _ = mesh(convert(host, "land.obj", "--simplify", str(most), "--no-clusters"), "land")
+        up = [cross(minus(positions[b], positions[a]), minus(positions[c], positions[a]))[1] for a, b, c in triangles]
+        host.equal(f"triangles of {most} that do not face up", sum(y <= 0 for y in up), 0)
+        info = host.info("land.obj", "--simplify", str(most))
+        host.equal(f"{most}: one surface still", (info["parts"], info["inconsistent_edges"], info["shared_edges"]), ("1", "0", "0"))
 
 
 def test_without_meshoptimizer(host):

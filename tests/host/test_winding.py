@@ -46,11 +46,11 @@ def test_report(host):
 
 def test_repair(host):
     host.write("good.obj", cube([]))
-    wanted = host.render_bytes("good.obj", *CUBE_VIEW, "--facets")
+    wanted = host.render_bytes("good.obj", *CUBE_VIEW, "--flat")
     for faces in ([0], [1, 4], [0, 1, 2], [0, 1, 2, 3, 4], range(6)):
         host.write("bad.obj", cube(faces))
         host.equal(f"cube with {list(faces)} turned", winding(host, "bad.obj", "--repair"), (1, 0, 0, 0, 2 * len(faces)))
-        host.equal("its picture", host.render_bytes("bad.obj", *CUBE_VIEW, "--facets", "--repair"), wanted)
+        host.equal("its picture", host.render_bytes("bad.obj", *CUBE_VIEW, "--flat", "--repair"), wanted)
     host.write("two.obj", cube([1]) + moved(cube(range(6)), 4))
     host.equal("parts are repaired one by one", winding(host, "two.obj", "--repair"), (2, 0, 0, 0, 14))
     host.equal("what is right stays", winding(host, "good.obj", "--repair")[4], 0)
@@ -112,10 +112,10 @@ def test_given_normals_follow_the_repair(host):
 
 def test_facets(host):
     host.write("cube.obj", cube([]))
-    positions, normals, triangles, _, _ = mesh(convert(host, "cube.obj", "--facets"), "cube")
+    positions, normals, triangles, _, _ = mesh(convert(host, "cube.obj", "--flat"), "cube")
     host.equal("a cube's facets", (len(positions), len(triangles)), (24, 12))
     host.check("their normals", {tuple(round(v) for v in n) for n in normals} ==
                {(1, 0, 0), (-1, 0, 0), (0, 1, 0), (0, -1, 0), (0, 0, 1), (0, 0, -1)})
-    host.equal("--facets overrides normals", host.info(os.path.join(MODELS, "teapot.obj"), "--facets")["normals"], "given")
-    host.equal("--facets is --crease 0 on a cube", host.render_bytes("cube.obj", *CUBE_VIEW, "--facets"),
+    host.equal("--flat overrides normals", host.info(os.path.join(MODELS, "teapot.obj"), "--flat")["normals"], "given")
+    host.equal("--flat is --crease 0 on a cube", host.render_bytes("cube.obj", *CUBE_VIEW, "--flat"),
                host.render_bytes("cube.obj", *CUBE_VIEW, "--crease", "0"))

@@ -407,7 +407,8 @@ static void hidden_in_the_gallery(void) {
     for (unsigned i = 0; i < EXAMPLE_SCENES; i++) {
         for (uint32_t variant = 0; variant < example_scenes[i]->variant_count; variant++) {
             example_scenes[i]->build(&stage, variant, example_scenes[i]->frames / 3);
-            check_layers(&stage.scene, 160, 120, &glint_format_rgb888, example_scenes[i]->name);
+            if (!stage.layers) /* else objects show what is behind them */
+                check_layers(&stage.scene, 160, 120, &glint_format_rgb888, example_scenes[i]->name);
         }
     }
 }

@@ -116,6 +116,46 @@ static void fields_of_view(void) {
     }
 }
 
+/* Rays to the sides of a row of pixels are the widest there are: the eye's way is next to nothing of a unit vector. A
+ * wall before it, in columns so narrow that light counts as linear across them. */
+#define COLUMNS 64
+
+static void widest_rays(void) {
+    static int16_t positions[2 * COLUMNS + 2][3], normals[2 * COLUMNS + 2][3];
+    static uint16_t triangles[2 * COLUMNS][3];
+    const glint_shading_model *const models[2] = {&glint_model_blinn_phong, &glint_model_phong};
+    for (int i = 0; i < 2 * COLUMNS + 2; i++) {
+        positions[i][0] = (int16_t)((i / 2 - COLUMNS / 2) * (32767 / (COLUMNS / 2)));
+        positions[i][1] = (int16_t)(i % 2 ? 32767 : -32767);
+        normals[i][2] = 32767;
+    }
+    for (int i = 0; i < 2 * COLUMNS; i++) {
+        const uint16_t at[3] = {(uint16_t)i, (uint16_t)(i + 2 - i % 2), (uint16_t)(i + 1 + i % 2)};
+        memcpy(triangles[i], at, sizeof at);
+    }
+    const glint_mesh wall = {.positions = (const int16_t(*)[3])positions,
+                             .normals = (const int16_t(*)[3])normals,
+                             .triangles = (const uint16_t(*)[3])triangles,
+                             .vertex_count = 2 * COLUMNS + 2,
+                             .triangle_count = 2 * COLUMNS,
+                             .extent = {24000 * GLINT_ONE, 60 * GLINT_ONE, GLINT_ONE}};
+    row_print_heading();
+    for (int i = 0; i < 2; i++) {
+        test_scene scene;
+        judgement total = {0};
+        build(&scene);
+        scene.scene.camera.field_of_view = 170 * GLINT_ONE;
+        scene.objects[0].mesh = &wall;
+        scene.objects[0].pose = glint_pose_translate(0, 0, -GLINT_ONE);
+        scene.lights[0].direction = (glint_vector){-GLINT_ONE, 0, -GLINT_ONE / 50};
+        scene.materials[0].model = models[i];
+        scene.materials[0].shininess = 4 * GLINT_ONE;
+        row_judge(&scene.scene, GLINT_SIZE_MAX, 1, &glint_format_rgb565, &total);
+        row_print(i ? "phong" : "blinn-phong", &total);
+        row_check(&total, 1);
+    }
+}
+
 /* ---- Exponents ----------------------------------------------------------------------------------------------- */
 
 static void least_exponents(void) {
@@ -348,13 +388,10 @@ static void triangles_at_the_bounds(void) {
 
 int test_main(test_writer write) {
     static const test_case cases[] = {
-        TEST_CASE(lights_far_off),
-        TEST_CASE(light_far_off_fades),
-        TEST_CASE(fields_of_view),
-        TEST_CASE(least_exponents),
-        TEST_CASE(largest_exponents),
-        TEST_CASE(triangle_around_the_eye),
-        TEST_CASE(box_just_beyond_the_near_plane),
+        TEST_CASE(lights_far_off),          TEST_CASE(light_far_off_fades),
+        TEST_CASE(fields_of_view),          TEST_CASE(widest_rays),
+        TEST_CASE(least_exponents),         TEST_CASE(largest_exponents),
+        TEST_CASE(triangle_around_the_eye), TEST_CASE(box_just_beyond_the_near_plane),
         TEST_CASE(triangles_at_the_bounds),
     };
     return test_run(write, cases, TEST_COUNT(cases));

@@ -150,14 +150,20 @@ static void example_variants(void) {
     }
 }
 
+/* The first of random_regions. Rooms and terrains are left out: many of their pixels are alike, and some are so far
+ * away that their colours are not promised. */
+#define USUAL_REGIONS 21
+
 static void random_scenes(void) {
     static random_scene scene;
     for (uint64_t seed = 1; seed <= 2500 / sample_share(); seed++) {
-        random_scene_make(&scene, seed);
+        random_scene_make_in(&scene, (unsigned)(seed % USUAL_REGIONS), seed);
         if (random_regions[scene.region].in_contract)
             judge_some(1, &scene.scene, scene.width, scene.height, random_regions[scene.region].name);
     }
 }
+
+#define SLIVERS 4 /* of random_regions */
 
 /* Facets whose longest edges are next to parallel, of 16 bits: what these lose turns the normal. */
 static void facets_of_slivers(void) {
@@ -165,7 +171,7 @@ static void facets_of_slivers(void) {
     static random_scene scene;
     for (unsigned i = 0; i < TEST_COUNT(seeds); i++) {
         contract_result found;
-        random_scene_make(&scene, seeds[i]);
+        random_scene_make_in(&scene, SLIVERS, seeds[i]);
         contract_judge(&scene.scene, scene.width, scene.height, scene.format, &found);
         CHECK_EQUAL(found.found.status, GLINT_OK);
         CHECK_EQUAL(found.found.over_one, 0);

@@ -11,33 +11,11 @@
 
 typedef struct images {
     reference_image reference;
-    picture shaded;   /* in the task's format */
-    picture coverage; /* the same triangles, evaluated the same way, white on black */
+    picture shaded;  /* in the task's format, */
+    uint16_t *depth; /* and where that shows objects */
     double depth_scale;
     int channels, most[3]; /* of the format */
 } images;
-
-static const glint_material white = {.model = &glint_model_blinn_phong, .ambient = {GLINT_ONE, GLINT_ONE, GLINT_ONE}};
-
-/* The scene with every material and mesh white. */
-static glint_status render_coverage(picture *coverage, const glint_scene *scene) {
-    glint_object objects[LIBRARY_OBJECTS_MAX];
-    glint_mesh meshes[LIBRARY_OBJECTS_MAX];
-    glint_scene unlit = *scene;
-    for (uint32_t i = 0; i < scene->object_count; i++) {
-        objects[i] = scene->objects[i];
-        objects[i].material = &white;
-        meshes[i] = *scene->objects[i].mesh;
-        meshes[i].colours = NULL;
-        meshes[i].colours565 = NULL;
-        objects[i].mesh = &meshes[i];
-    }
-    unlit.objects = objects;
-    unlit.light_count = 0;
-    unlit.background = (glint_colour){0, 0, 0};
-    unlit.ambient = (glint_colour){GLINT_ONE, GLINT_ONE, GLINT_ONE};
-    return picture_render(coverage, &unlit, NULL, NULL);
-}
 
 static void measure_vertices(const judge_task *task, const library_geometry *geometry, judgement *total) {
     for (uint32_t object = 0; object < task->scene->object_count; object++) {
@@ -53,12 +31,6 @@ static void measure_vertices(const judge_task *task, const library_geometry *geo
     }
 }
 
-/* Of 1; a single channel is the luma. */
-static double wanted_value(const reference_pixel *pixel, int channels, int channel) {
-    const double *colour = pixel->colour;
-    return channels == 1 ? 0.299 * colour[0] + 0.587 * colour[1] + 0.114 * colour[2] : colour[channel];
-}
-
 /*
  * Largest distance over the channels of a pixel, from the unrounded and from the rounded reference, in steps. A
  * dithered pixel is rounded at its threshold: what it is half a step from lies by that much elsewhere.
@@ -67,21 +39,30 @@ typedef struct distance {
     double unrounded;
     int rounded;
     int is_fine;
+    int is_beside;
     double squares;
 } distance;
 
+/* Finds what a pixel should show nearest to what it shows, in levels. @return whether that is a texel beside its own */
+static int find_wanted(const images *all, int x, int y, double wanted[3]) {
+    const double threshold = picture_threshold(all->shaded.format, x, y);
+    double stored[3];
+    for (int channel = 0; channel < all->channels; channel++)
+        stored[channel] = picture_level(&all->shaded, x, y, channel) + 0.5 - threshold;
+    return reference_find_wanted(&all->reference.pixels[y * all->reference.width + x], all->channels, all->most, stored,
+                                 wanted);
+}
+
 static distance measure_pixel(const judge_task *task, const images *all, int x, int y) {
-    const reference_pixel *reference = &all->reference.pixels[y * all->reference.width + x];
     const picture *shaded = &all->shaded;
     const double threshold = picture_threshold(shaded->format, x, y);
-    distance result = {0, 0, 1, 0};
+    double wanted[3];
+    distance result = {0, 0, 1, find_wanted(all, x, y, wanted), 0};
     for (int channel = 0; channel < all->channels; channel++) {
-        const int most = all->most[channel];
-        double wanted = wanted_value(reference, all->channels, channel) * most;
         int stored = picture_level(shaded, x, y, channel);
-        double error = fabs(stored + 0.5 - threshold - wanted);
-        double relative = (stored - wanted) / most;
-        int steps = abs(stored - (int)floor(wanted + threshold));
+        double error = fabs(stored + 0.5 - threshold - wanted[channel]);
+        double relative = (stored - wanted[channel]) / all->most[channel];
+        int steps = abs(stored - (int)floor(wanted[channel] + threshold));
         double fine = task->fine_of[0] > 0 ? task->fine_of[channel] : task->fine;
         result.unrounded = fmax(result.unrounded, error);
         result.is_fine = result.is_fine && error <= fine;
@@ -93,20 +74,22 @@ static distance measure_pixel(const judge_task *task, const images *all, int x, 
 
 /* Is a pixel rounded to other levels than the reference's? */
 static int is_apart(const images *all, int x, int y) {
-    const reference_pixel *reference = &all->reference.pixels[y * all->reference.width + x];
     const double threshold = picture_threshold(all->shaded.format, x, y);
+    double wanted[3];
     int apart = 0;
+    (void)find_wanted(all, x, y, wanted);
     for (int channel = 0; channel < all->channels; channel++)
-        apart |= picture_level(&all->shaded, x, y, channel) !=
-                 (int)(wanted_value(reference, all->channels, channel) * all->most[channel] + threshold);
+        apart |= picture_level(&all->shaded, x, y, channel) != (int)(wanted[channel] + threshold);
     return apart;
 }
 
 static void judge_pixel(const judge_task *task, const images *all, int x, int y, judgement *total) {
     const reference_pixel *reference = &all->reference.pixels[y * task->width + x];
-    int drawn = picture_level(&all->coverage, x, y, 0) > 0;
+    int drawn = all->depth[y * task->width + x] > 0;
     total->covered += reference->covered;
-    if (reference->uncertain) {
+    const double keyed = reference->keyed * all->depth_scale;
+    if (reference->uncertain ||
+        (keyed > 0 && keyed >= reference->nearest * all->depth_scale && keyed * JUDGE_FAR < 65536)) {
         total->uncertain++;
         return;
     }
@@ -118,10 +101,14 @@ static void judge_pixel(const judge_task *task, const images *all, int x, int y,
         total->spilled += is_apart(all, x, y);
         return;
     }
+    if (reference->unsettled) {
+        total->unsettled++;
+        return;
+    }
     const distance error = measure_pixel(task, all, x, y);
     total->squares += error.squares;
     total->samples += all->channels;
-    if ((reference->nearest - reference->second) * all->depth_scale < JUDGE_CLOSE_STEPS) {
+    if (reference->second > 0 && (reference->nearest - reference->second) * all->depth_scale < JUDGE_CLOSE_STEPS) {
         total->close++;
         return;
     }
@@ -129,6 +116,7 @@ static void judge_pixel(const judge_task *task, const images *all, int x, int y,
     if (task->leave_out_gates && reference->grazing < JUDGE_GATE)
         return;
     total->judged++;
+    total->beside += error.is_beside;
     total->apart += error.rounded > 0;
     total->over_one += error.rounded > 1;
     total->over_two += error.rounded > 2;
@@ -149,10 +137,9 @@ static glint_status draw_all(const judge_task *task, images *all, judgement *tot
         all->depth_scale = geometry.depth_scale;
         measure_vertices(task, &geometry, total);
         reference_render(&all->reference, task->scene, (const reference_position *const *)geometry.positions);
-        status = picture_render(&all->shaded, task->scene, NULL, NULL);
+        options.depth = all->depth;
+        status = picture_render(&all->shaded, task->scene, &options, NULL);
     }
-    if (status == GLINT_OK)
-        status = render_coverage(&all->coverage, task->scene);
     library_geometry_close(&geometry);
     return status;
 }
@@ -160,12 +147,12 @@ static glint_status draw_all(const judge_task *task, images *all, judgement *tot
 void judge(const judge_task *task, judgement *total) {
     images all = {.reference = {.width = task->width, .height = task->height},
                   .shaded = picture_open(task->width, task->height, task->format),
-                  .coverage = picture_open(task->width, task->height, &glint_format_grey8),
+                  .depth = calloc((size_t)task->width * (size_t)task->height, sizeof *all.depth),
                   .channels = picture_channels(task->format)};
     for (int channel = 0; channel < all.channels; channel++)
         all.most[channel] = picture_level_max(task->format, channel);
     all.reference.pixels = malloc((size_t)task->width * (size_t)task->height * sizeof *all.reference.pixels);
-    glint_status status = all.reference.pixels ? draw_all(task, &all, total) : GLINT_ERROR_NULL;
+    glint_status status = all.reference.pixels && all.depth ? draw_all(task, &all, total) : GLINT_ERROR_NULL;
     if (status != GLINT_OK)
         total->status = status;
     for (int y = 0; y < task->height && status == GLINT_OK; y++) {
@@ -174,7 +161,7 @@ void judge(const judge_task *task, judgement *total) {
     }
     free(all.reference.pixels);
     picture_close(&all.shaded);
-    picture_close(&all.coverage);
+    free(all.depth);
 }
 
 void judgement_add(judgement *total, const judgement *part) {
@@ -186,6 +173,8 @@ void judgement_add(judgement *total, const judgement *part) {
     sum.spilled = total->spilled + part->spilled;
     sum.close = total->close + part->close;
     sum.gated = total->gated + part->gated;
+    sum.unsettled = total->unsettled + part->unsettled;
+    sum.beside = total->beside + part->beside;
     sum.judged = total->judged + part->judged;
     sum.apart = total->apart + part->apart;
     sum.over_one = total->over_one + part->over_one;

@@ -6,6 +6,14 @@
 
 #include <stdlib.h>
 
+/* Of parallel rays. */
+static double find_farthest(const glint_view *view, const glint_projection *projection) {
+    int64_t farthest = 0, range;
+    if (projection)
+        projection->get_range(view, &farthest, &range);
+    return (double)farthest / (1 << 28);
+}
+
 /* view->nearest is the w, in Q28, that 1/w is scaled to: at it, depth is 2^16. */
 static double depth_scale(const glint_view *view, const glint_projection *projection) {
     const int64_t unit = (int64_t)1 << 28; /* of parallel rays, depth is linear */
@@ -39,6 +47,7 @@ static glint_status transform_scene(library_geometry *geometry, const glint_conf
     if (status != GLINT_OK)
         return status;
     geometry->depth_scale = depth_scale(frame.view, scene->camera.projection);
+    geometry->farthest = find_farthest(frame.view, scene->camera.projection);
     geometry->object_count = scene->object_count;
     for (uint32_t i = 0; i < scene->object_count && status == GLINT_OK; i++)
         status = transform_object(geometry, &frame, i);

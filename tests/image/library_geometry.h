@@ -16,7 +16,8 @@
 typedef struct library_geometry {
     uint32_t object_count;
     reference_position *positions[LIBRARY_OBJECTS_MAX]; /**< Snapped screen positions, per object and vertex. */
-    double depth_scale;                                 /**< Depth steps per 1/w. */
+    double depth_scale;                                 /**< Depth steps per 1/w; of parallel rays, per w, */
+    double farthest;                                    /**< and the w that has less than two of them. */
 } library_geometry;
 
 /**

@@ -191,8 +191,8 @@ static void build(line_scene *s, uint32_t number) {
     }
     for (int i = 0; i < LINES; i++) {
         const int reach = i % 5 == 4 ? 12 : 2;
-        s->lines[i] =
-            (glint_line){any_place(extent, reach), any_place(extent, reach), {GLINT_ONE, GLINT_ONE / 2, GLINT_ONE / 4}};
+        s->lines[i] = (glint_line){
+            any_place(extent, reach), any_place(extent, reach), {GLINT_ONE, GLINT_ONE / 2, GLINT_ONE / 4}, 0};
         if (i % 7 == 3)
             s->lines[i].to = s->lines[i].from;
     }
@@ -576,23 +576,28 @@ static void extremes_stay_in_their_place(void) {
     picture_close(&image);
 }
 
-/* A line that lies in the near plane is where one twice as far and twice as long is. */
+/* A line that lies in the near plane is where one twice as far and twice as long is; one that only ends there, from
+ * behind, is a point, whichever end it is. */
 static void lines_in_the_near_plane_show(void) {
     const glint_config config = screen_of(WIDTH, HEIGHT);
     const glint_camera camera = {
         .pose = glint_pose_identity(), .field_of_view = 50 * GLINT_ONE, .near_plane = GLINT_ONE};
     const glint_pose pose = glint_pose_identity();
     const glint_colour white = {GLINT_ONE, GLINT_ONE, GLINT_ONE};
-    const glint_line lines[2] = {
-        {{-GLINT_ONE / 4, GLINT_ONE / 8, -GLINT_ONE}, {GLINT_ONE / 8, 0, -GLINT_ONE}, white},
-        {{-GLINT_ONE / 2, GLINT_ONE / 4, -2 * GLINT_ONE}, {GLINT_ONE / 4, 0, -2 * GLINT_ONE}, white}};
-    glint_segment segments[2];
-    CHECK_EQUAL(glint_lines_project(segments, &config, &camera, &pose, lines, 2), GLINT_OK);
-    for (int end = 0; end < 2; end++) {
-        CHECK(segments[0].colour && segments[1].colour);
-        CHECK_EQUAL(segments[0].x[end], segments[1].x[end]);
-        CHECK_EQUAL(segments[0].y[end], segments[1].y[end]);
-    }
+    const glint_vector from = {-GLINT_ONE / 4, GLINT_ONE / 8, -GLINT_ONE}, behind = {GLINT_ONE, 0, GLINT_ONE};
+    const glint_line lines[4] = {
+        {{-GLINT_ONE / 2, GLINT_ONE / 4, -2 * GLINT_ONE}, {GLINT_ONE / 4, 0, -2 * GLINT_ONE}, white},
+        {from, {GLINT_ONE / 8, 0, -GLINT_ONE}, white},
+        {from, behind, white},
+        {behind, from, white}};
+    glint_segment segments[4];
+    CHECK_EQUAL(glint_lines_project(segments, &config, &camera, &pose, lines, 4), GLINT_OK);
+    for (int i = 1; i < 4; i++)
+        for (int end = 0; end < 2; end++) {
+            CHECK(segments[i].colour);
+            CHECK_EQUAL(segments[i].x[end], segments[0].x[i == 1 ? end : 0]);
+            CHECK_EQUAL(segments[i].y[end], segments[0].y[i == 1 ? end : 0]);
+        }
 }
 
 /* ---- Any views: screens of 1/256 to 32767 units, fields of view of 1 to 170 degrees, near planes of any number ----
@@ -689,7 +694,8 @@ static void any_lines_are_the_same_in_all_tiles(void) {
         for (uint32_t l = 0; l < VIEW_LINES; l++)
             lines[l] = (glint_line){{any_wide(-most, most), any_wide(-most, most), any_wide(-most, most)},
                                     {any_wide(-most, most), any_wide(-most, most), any_wide(-most, most)},
-                                    {any_wide(0, GLINT_ONE), any_wide(0, GLINT_ONE), any_wide(0, GLINT_ONE)}};
+                                    {any_wide(0, GLINT_ONE), any_wide(0, GLINT_ONE), any_wide(0, GLINT_ONE)},
+                                    0};
         picture whole = picture_open(width, height, &glint_format_rgb565);
         const uint32_t marked = draw_view(&camera, lines, VIEW_LINES, 64, &whole);
         for (uint16_t tile = 8; tile < 64; tile *= 2) {

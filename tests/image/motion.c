@@ -48,11 +48,13 @@ typedef struct found {
     int largest;
 } found;
 
-/* Does anything but light decide on a pixel: a rounded edge, a surface as near, an angle at which light begins? */
+/* Does anything but light decide on a pixel: a rounded edge, a surface or a texel as near, an angle at which light
+ * begins? */
 static int is_decided(const shot *of, int i) {
     const reference_pixel *pixel = &of->pixels[i];
     const int is_close = (pixel->nearest - pixel->second) * of->depth_scale < 2;
-    return !pixel->covered || pixel->uncertain || is_close || pixel->grazing < 0.01;
+    const int has_texels = pixel->unsettled || pixel->choice_count > 1;
+    return !pixel->covered || pixel->uncertain || is_close || has_texels || pixel->grazing < 0.01;
 }
 
 /* Does a pixel stand still? */

@@ -103,6 +103,38 @@ static void lights_keep_the_contract(void) {
     CHECK(all.judged > 100000);
 }
 
+/*
+ * Of a scene as deep as a landscape, a leaning square is in the first few of the 65533 steps: its 1/w is next to the
+ * largest, and colours between its corners, which are divided by that, were black.
+ */
+static void nearest_surfaces_keep_their_colours(void) {
+    static const uint8_t colours[4][3] = {{200, 20, 90}, {40, 180, 10}, {20, 90, 250}, {250, 250, 60}};
+    const glint_colour white = {GLINT_ONE, GLINT_ONE, GLINT_ONE};
+    const glint_material paint = {.model = &glint_model_unlit, .diffuse = white};
+    glint_mesh near = scene_square_mesh(3 * GLINT_ONE, 0);
+    const glint_mesh far = near;
+    near.colours = colours;
+    judgement all = {0};
+    random_state = 1;
+    for (int i = 0; i < 30; i++) {
+        const glint_pose x = glint_pose_rotate_x(any(-20 * GLINT_ONE, 20 * GLINT_ONE)),
+                         y = glint_pose_rotate_y(any(-20 * GLINT_ONE, 20 * GLINT_ONE));
+        test_scene s = {.objects = {{&near, &paint, glint_pose_then(&x, &y), &glint_per_vertex},
+                                    {&far, &paint, glint_pose_identity(), &glint_per_vertex}}};
+        s.objects[0].pose.m[2][3] = -4 * GLINT_ONE;
+        s.objects[1].pose.m[2][3] = -20000 * GLINT_ONE;
+        s.scene = (glint_scene){.camera = {.pose = glint_pose_identity(),
+                                           .near_plane = GLINT_ONE / 4,
+                                           .projection = &glint_orthographic,
+                                           .view_height = 5 * GLINT_ONE},
+                                .objects = s.objects,
+                                .object_count = 2};
+        judge_scene(&s, formats[i % 2], &all);
+    }
+    report(&all);
+    CHECK(all.judged > 100000);
+}
+
 /* A lamp before a square that is 126 guard bands away, where rays nearly end, lights it as it does one close by. */
 static void lamps_near_the_end_of_rays_light_as_close_by(void) {
     const glint_mesh square = scene_square_mesh(GLINT_ONE, 0);
@@ -361,6 +393,7 @@ int test_main(test_writer write) {
         TEST_CASE(random_scenes_keep_the_contract),
         TEST_CASE(lights_keep_the_contract),
         TEST_CASE(lamps_near_the_end_of_rays_light_as_close_by),
+        TEST_CASE(nearest_surfaces_keep_their_colours),
         TEST_CASE(depth_is_linear),
         TEST_CASE(depth_is_rounded),
         TEST_CASE(viewers_are_the_same),

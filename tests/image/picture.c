@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "picture.h"
 
+#include "bayer.h"
+
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -63,21 +65,40 @@ int picture_put(picture *image, const int rectangle[4], const void *pixels, size
 
 static int begin(void *context, int x, int y, int width, int height, const void *pixels, size_t stride) {
     const int rectangle[4] = {x, y, width, height};
-    return picture_put(context, rectangle, pixels, stride);
+    picture *const image = context;
+    image->calls++;
+    return image->sending || picture_put(image, rectangle, pixels, stride);
+}
+
+static int begin_only(void *context, int x, int y, int width, int height, const void *pixels, size_t stride) {
+    const int failed = begin(context, x, y, width, height, pixels, stride);
+    ((picture *)context)->sending = 1;
+    return failed;
+}
+
+static int wait(void *context) {
+    picture *const image = context;
+    const int failed = !image->sending;
+    image->sending = 0;
+    return failed;
 }
 
 glint_config picture_config(picture *image, const picture_options *options) {
-    return (glint_config){.width = (uint16_t)image->width,
-                          .height = (uint16_t)image->height,
-                          .tile_width = options ? options->tile_width : 0,
-                          .tile_height = options ? options->tile_height : 0,
-                          .format = image->format,
-                          .gamma = options ? options->gamma : NULL,
-                          .skips_degenerate = options ? options->skips_degenerate : 0,
-                          .keeps_arena = options ? options->keeps_arena : 0,
-                          .region = options ? options->region : (glint_rectangle){0, 0, 0, 0},
-                          .overlay = options ? options->overlay : (glint_painter){NULL, NULL},
-                          .flush = {.begin = begin, .context = image}};
+    return (glint_config){
+        .width = (uint16_t)image->width,
+        .height = (uint16_t)image->height,
+        .tile_width = options ? options->tile_width : 0,
+        .tile_height = options ? options->tile_height : 0,
+        .format = image->format,
+        .gamma = options ? options->gamma : NULL,
+        .skips_degenerate = options ? options->skips_degenerate : 0,
+        .keeps_arena = options ? options->keeps_arena : 0,
+        .region = options ? options->region : (glint_rectangle){0, 0, 0, 0},
+        .background = options ? options->background : (glint_painter){NULL, NULL},
+        .overlay = options ? options->overlay : (glint_painter){NULL, NULL},
+        .layers = options ? options->layers : NULL,
+        .samples = options ? options->samples : NULL,
+        .flush = {options && options->waits ? begin_only : begin, options && options->waits ? wait : NULL, image}};
 }
 
 glint_need picture_need(const picture *image, const glint_scene *scene, const picture_options *options) {
@@ -101,6 +122,19 @@ int picture_count_empty(void *context, const glint_tile *tile) {
     for (int y = 0; y < tile->height; y++)
         for (int x = 0; x < tile->width; x++)
             *empty += tile->depth[(size_t)y * tile->depth_stride + (size_t)x] == 0;
+    return 0;
+}
+
+int picture_paint_pattern(void *context, const glint_tile *tile) {
+    const picture of = {.format = context};
+    const int is_pages = is_paged(&of);
+    const size_t left = is_pages ? (size_t)tile->x : glint_row_bytes(of.format, (uint32_t)tile->x),
+                 length = is_pages ? (size_t)tile->width : glint_row_bytes(of.format, (uint32_t)tile->width);
+    for (int row = 0; row < tile->height; row += is_pages ? 8 : 1)
+        for (size_t i = 0; i < length; i++) /* multiplicative hashing (Knuth) */
+            ((uint8_t *)tile->pixels)[(size_t)row * tile->stride + i] =
+                (uint8_t)(((uint32_t)(left + i) * 40503u + (uint32_t)(tile->y + row) * 2246822519u) * 2654435761u >>
+                          24);
     return 0;
 }
 
@@ -134,18 +168,23 @@ glint_status picture_render(picture *image, const glint_scene *scene, const pict
         return status;
     if (!config.arena_size)
         config.arena_size = need.one_pass;
-    config.arena = malloc(config.arena_size); /* what it holds is not told, so that MSan sees what is read of it */
-    if (!config.arena)
+    const size_t skew = options ? options->skew : 0;
+    uint8_t *const memory =
+        malloc(config.arena_size + skew); /* its content is undefined: MSan sees what is read of it */
+    if (!memory)
         return GLINT_ERROR_NULL;
+    config.arena = memory + skew;
     status = glint_init(&renderer, &config);
+    if (status == GLINT_OK && options && options->before)
+        (void)glint_render(&renderer, options->before); /* it may need more arena */
     for (int frame = 0; frame <= config.keeps_arena && status == GLINT_OK; frame++) {
         memset(image->sent, 0, (size_t)image->width * (size_t)image->height);
         status = glint_render(&renderer, scene);
     }
     if (stats != NULL)
         *stats = renderer.stats;
-    free(config.arena);
-    return status;
+    free(memory);
+    return image->sending ? GLINT_ERROR_FLUSH : status;
 }
 
 /* Was each pixel of a region, or of the whole, sent once, and no other? */
@@ -198,15 +237,8 @@ const glint_format *picture_undithered(const glint_format *format) {
     return format;
 }
 
-/* Each quarter of the matrix is the one of half its size, times 4, plus 0, 2, 3 or 1 (Bayer, 1973). */
 double picture_threshold(const glint_format *format, int x, int y) {
-    static const int quarters[2][2] = {{0, 2}, {3, 1}};
-    int value = 0;
-    if (picture_undithered(format) == format)
-        return 0.5;
-    for (int half = 1; half < 8; half *= 2) /* the smallest quarter weighs most */
-        value = 4 * value + quarters[y / half % 2][x / half % 2];
-    return (2 * value + 1) / 128.0;
+    return picture_undithered(format) == format ? 0.5 : bayer_threshold(x, y);
 }
 
 static int is_mono(const glint_format *kind) {

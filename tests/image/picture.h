@@ -14,7 +14,8 @@ typedef struct picture {
     size_t stride; /**< Bytes per row. */
     size_t size;   /**< Bytes in all. */
     uint8_t *bytes;
-    uint8_t *sent; /**< Per pixel, times it was sent, 255 for more. */
+    uint8_t *sent;      /**< Per pixel, times it was sent, 255 for more. */
+    int sending, calls; /**< Is a tile on its way, and how many were sent? */
 } picture;
 
 /** How to draw; zeros for the defaults and the arena of one pass. */
@@ -23,10 +24,15 @@ typedef struct picture_options {
     size_t arena_size;
     const uint16_t (*gamma)[GLINT_GAMMA_ENTRIES];
     glint_rectangle region;
-    glint_painter overlay;
+    glint_painter background, overlay;
+    const glint_layer_stage *layers;
     uint8_t skips_degenerate;
     uint8_t keeps_arena; /**< Two frames are drawn. */
-    uint16_t *depth;     /**< Where not null, receives the depth of each pixel sent, row by row of the picture. */
+    uint8_t waits;       /**< A tile is on its way until the flush is waited for. */
+    uint8_t skew;        /**< Bytes by which the arena is not aligned. */
+    const glint_sampling *samples;
+    const glint_scene *before; /**< Where not null, the same renderer draws this first. */
+    uint16_t *depth;           /**< Where not null, receives the depth of each pixel sent, row by row of the picture. */
 } picture_options;
 
 /** Allocates an empty picture; ends the program when there is no memory. Free with picture_close. */
@@ -52,6 +58,9 @@ int picture_put(picture *image, const int rectangle[4], const void *pixels, size
 
 /** A painter that adds to a uint32_t, its context, the pixels where no object is. */
 int picture_count_empty(void *context, const glint_tile *tile);
+
+/** A painter of bytes that differ from place to place. Its context is the format. */
+int picture_paint_pattern(void *context, const glint_tile *tile);
 
 /** Whether every pixel was sent once. */
 int picture_is_complete(const picture *image);

@@ -194,7 +194,7 @@ static void draw_gallery(drawing *d, unsigned which) {
         d->width = scene->width;
         d->height = scene->height;
         d->format = &glint_format_rgb565;
-        draw(d, &stage.scene);
+        draw_with(d, &stage.scene, &(picture_options){.layers = stage.layers, .samples = stage.samples});
     }
 }
 

@@ -7,19 +7,19 @@
 #include <stdint.h>
 
 static const uint32_t pixel_table[] = {
-    0xa8b1eb4bu, /* regions */
-    0xa5b7e71cu, /* regions */
-    0x6d30c33du, /* large regions */
-    0x2e487975u, /* large regions */
-    0xe44efc3fu, /* large regions */
-    0x81833885u, /* varied regions */
-    0xc6706a41u, /* varied regions */
-    0x2bc5d0b9u, /* varied regions */
-    0xde7d6420u, /* varied regions */
-    0x33f252fbu, /* varied regions */
-    0x498ed9a9u, /* varied regions */
-    0x30224695u, /* varied regions */
-    0xa679fc78u, /* varied regions */
+    0xea0feda7u, /* regions */
+    0xb4b88266u, /* regions */
+    0x7614a274u, /* large regions */
+    0xef93c087u, /* large regions */
+    0xa353c9d3u, /* large regions */
+    0xa4b7f42bu, /* varied regions */
+    0xf3242052u, /* varied regions */
+    0x628d91b3u, /* varied regions */
+    0xa10ce3ffu, /* varied regions */
+    0x64cddaafu, /* varied regions */
+    0x42d1fed0u, /* varied regions */
+    0xf15620b1u, /* varied regions */
+    0xb3369783u, /* varied regions */
     0x0204bf4fu, /* varied benchmark */
     0xcbbc743cu, /* varied benchmark */
     0x458fd4bdu, /* varied benchmark */
@@ -34,10 +34,11 @@ static const uint32_t pixel_table[] = {
     0x08219756u, /* random surfaces */
     0x013d797au, /* gallery */
     0x7271939eu, /* gallery */
-    0xb8747bb6u, /* gallery */
+    0x89a64ae2u, /* gallery */
     0x13d11984u, /* gallery */
-    0xda8968a0u, /* gallery */
-    0x3800b8feu, /* gallery */
+    0xebf68937u, /* gallery */
+    0x0f7f46feu, /* gallery */
+    0xa7498897u, /* gallery */
 };
 
 #endif

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Suite: a region holds the pixels that the whole frame has there, and nothing else is sent; painters of background and
- * overlay see each pixel once, and where objects show. A panel that is sent only the tiles that changed shows, after
- * every frame, what a panel shows that is sent all of them.
+ * Suite: regions side by side make the whole frame, also where the screen lies elsewhere on a display; painters of
+ * background and overlay see each pixel once, and where objects show. A panel that is sent only the tiles that changed
+ * shows, after every frame, what a panel shows that is sent all of them.
  */
 #include "every_format.h"
 #include "glint_extras.h"
@@ -118,65 +118,6 @@ static int is_part(const glint_rectangle *region, int left, int top) {
     return wrong == 0;
 }
 
-/* Steps of a region's edges. */
-static void steps_of(const glint_format *format, int *step_x, int *step_y) {
-    const size_t bits = glint_row_bytes(format, 8);
-    *step_x = format_is_paged(format) ? 1 : bits == 1 ? 8 : bits % 8 ? 2 : 1;
-    *step_y = format_is_paged(format) ? 8 : 1;
-}
-
-/* From one edge to another, or to the screen's. */
-static void any_span(int step, int size, int16_t *first, int16_t *count) {
-    const int begins = any(0, (size - 1) / step) * step,
-              ends = begins + any(1, (size - begins + step - 1) / step) * step;
-    *first = (int16_t)begins;
-    *count = (int16_t)((ends < size ? ends : size) - begins);
-}
-
-static glint_rectangle any_region(const glint_format *format) {
-    glint_rectangle region;
-    int step_x, step_y;
-    steps_of(format, &step_x, &step_y);
-    any_span(step_x, WIDTH, &region.x, &region.width);
-    any_span(step_y, HEIGHT, &region.y, &region.height);
-    return region;
-}
-
-static const glint_format *const formats[] = {&glint_format_rgb565, &glint_format_rgb888_dithered,
-                                              &glint_format_grey4,  &glint_format_rgb444,
-                                              &glint_format_mono,   &glint_format_mono_pages_dithered};
-static const uint16_t tiles[] = {8, 16, 32, 64};
-
-/* A scene's whole frame, and some regions of it, with arenas of any size. */
-static void check_regions(const glint_scene *scene, const glint_format *format, int count) {
-    glint_config config = configure(&whole, format, 0);
-    CHECK_EQUAL(draw(&config, scene), GLINT_OK);
-    for (int i = 0; i < count; i++) {
-        glint_need need;
-        config = configure(&part, format, tiles[any(0, 3)]);
-        config.region = any_region(format);
-        config.left = (int16_t)any(-MARGIN, MARGIN);
-        config.top = (int16_t)any(-MARGIN, MARGIN);
-        CHECK_EQUAL(glint_arena_need(&config, scene, &need), GLINT_OK);
-        config.arena_size = i % 3 == 0 ? need.least : i % 3 == 1 ? need.resident : need.one_pass;
-        CHECK_EQUAL(draw(&config, scene), GLINT_OK);
-        CHECK(is_part(&config.region, config.left, config.top));
-    }
-}
-
-static void regions_are_parts_of_the_whole(void) {
-    for (unsigned i = 0; i < scene_count; i++)
-        for (unsigned f = 0; f < TEST_COUNT(formats); f++) {
-            test_scene scene;
-            scene_build(&scene, &scene_definitions[i]);
-            scene_evaluate(&scene, scene_evaluations[f % 3]);
-            if ((i + f) % 2)
-                scene_make_parallel(&scene.scene);
-            random_state = i * 16 + f;
-            check_regions(&scene.scene, formats[f], 6);
-        }
-}
-
 static void regions_side_by_side_make_the_whole(void) {
     test_scene scene;
     glint_renderer renderer;
@@ -184,6 +125,8 @@ static void regions_side_by_side_make_the_whole(void) {
     glint_config config = configure(&whole, &glint_format_rgb565, 0);
     CHECK_EQUAL(draw(&config, &scene.scene), GLINT_OK);
     config = configure(&part, &glint_format_rgb565, 0);
+    config.left = MARGIN - 1;
+    config.top = -MARGIN;
     CHECK_EQUAL(glint_init(&renderer, &config), GLINT_OK);
     for (int16_t x = 0; x < WIDTH; x = (int16_t)(x + 47))
         for (int16_t y = 0; y < HEIGHT; y = (int16_t)(y + 13)) {
@@ -192,10 +135,30 @@ static void regions_side_by_side_make_the_whole(void) {
             CHECK_EQUAL(glint_render_region(&renderer, &scene.scene, &region), GLINT_OK);
         }
     const glint_rectangle all = {0, 0, WIDTH, HEIGHT};
-    CHECK(is_part(&all, 0, 0));
+    CHECK(is_part(&all, config.left, config.top));
     clear(&part, config.format); /* the renderer's own region is as it was */
     CHECK_EQUAL(glint_render(&renderer, &scene.scene), GLINT_OK);
-    CHECK(is_part(&all, 0, 0));
+    CHECK(is_part(&all, config.left, config.top));
+}
+
+/* Colours at vertices are interpolated over eight columns of the screen, or divided by w where few of these are drawn:
+ * where a region ends must not decide on it, or it shows as a seam. */
+static void regions_end_anywhere(void) {
+    static const uint8_t colours[4][3] = {{255, 0, 90}, {40, 180, 10}, {20, 90, 250}, {250, 250, 60}};
+    const glint_material paint = {.model = &glint_model_unlit, .diffuse = {GLINT_ONE, GLINT_ONE, GLINT_ONE}};
+    glint_mesh square = scene_square_mesh(2 * GLINT_ONE, GLINT_ONE);
+    square.colours = colours;
+    for (int i = 0; i < 24; i++) {
+        const glint_pose x = glint_pose_rotate_x((20 + i) * GLINT_ONE), y = glint_pose_rotate_y((30 - i) * GLINT_ONE);
+        const glint_object object = {&square, &paint, glint_pose_then(&x, &y), &glint_per_vertex};
+        const glint_scene scene = {.camera = glint_camera_default(), .objects = &object, .object_count = 1};
+        glint_config config = configure(&whole, &glint_format_rgb888, 0);
+        CHECK_EQUAL(draw(&config, &scene), GLINT_OK);
+        config = configure(&part, &glint_format_rgb888, 0);
+        config.region = (glint_rectangle){(int16_t)i, 0, (int16_t)(64 + 2 * i), HEIGHT};
+        CHECK_EQUAL(draw(&config, &scene), GLINT_OK);
+        CHECK(is_part(&config.region, 0, 0));
+    }
 }
 
 static void bad_regions_are_refused(void) {
@@ -502,10 +465,14 @@ static void bad_arguments_are_refused(void) {
 
 int test_main(test_writer write) {
     static const test_case cases[] = {
-        TEST_CASE(regions_are_parts_of_the_whole), TEST_CASE(regions_side_by_side_make_the_whole),
-        TEST_CASE(bad_regions_are_refused),        TEST_CASE(changes_know_regions),
-        TEST_CASE(painters_see_every_pixel_once),  TEST_CASE(overlays_are_sent),
-        TEST_CASE(only_what_changed_is_sent),      TEST_CASE(failed_transfers_are_sent_again),
+        TEST_CASE(regions_side_by_side_make_the_whole),
+        TEST_CASE(regions_end_anywhere),
+        TEST_CASE(bad_regions_are_refused),
+        TEST_CASE(changes_know_regions),
+        TEST_CASE(painters_see_every_pixel_once),
+        TEST_CASE(overlays_are_sent),
+        TEST_CASE(only_what_changed_is_sent),
+        TEST_CASE(failed_transfers_are_sent_again),
         TEST_CASE(bad_arguments_are_refused),
     };
     return test_run(write, cases, TEST_COUNT(cases));

@@ -10,11 +10,13 @@
 
 #include <stdio.h>
 
-/* At most one covered pixel in so many is left out by a rule, over all workloads. */
+/* At most one covered pixel in so many is left out by a rule, over all workloads; of the floor, whose far pixels hold
+ * many texels, more are unsettled. */
 #define LEFT_OUT_SHARE 500
+#define UNSETTLED_SHARE 100
 
-static const char *const rules[CONTRACT_RULES] = {"judged",     "uncertain", "gated",         "close",  "far",
-                                                  "short sums", "narrow",    "next to light", "rounded"};
+static const char *const rules[CONTRACT_RULES] = {"judged", "uncertain",  "unsettled", "gated",         "close",
+                                                  "far",    "short sums", "narrow",    "next to light", "rounded"};
 
 static workload_stage stage;
 
@@ -54,7 +56,7 @@ static void workloads_keep_the_contract(void) {
                  100 * (double)pixels[rule] / (double)all);
         test_write(line);
         if (rule != CONTRACT_JUDGED)
-            CHECK_AT_MOST(pixels[rule] * LEFT_OUT_SHARE, all);
+            CHECK_AT_MOST(pixels[rule] * (rule == CONTRACT_UNSETTLED ? UNSETTLED_SHARE : LEFT_OUT_SHARE), all);
     }
 }
 

@@ -38,9 +38,9 @@ PROOF(glint_leading_zeros_by_table) {
     glint_leading_zeros_by_table(ANY_UNSIGNED(1u << 24, UINT_MAX));
 }
 
-/* n from 1 to 62, |x| below 2^62. */
+/* n from 1 to 62, |x| at most 2^62. */
 PROOF(glint_round_shift64) {
-    const int64_t most = ((int64_t)1 << 62) - 1;
+    const int64_t most = (int64_t)1 << 62;
     glint_round_shift64(ANY_LONG(-most, most), (unsigned)ANY(1, 62));
 }
 

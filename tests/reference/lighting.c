@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "lighting.h"
 
+#include "glint_extras.h"
+
 #include <math.h>
 
 double reference_normalise(double v[3]) {

@@ -1,19 +1,22 @@
 /* SPDX-License-Identifier: MIT */
 #include "reference.h"
 
+#include "bayer.h"
+#include "glint_extras.h"
 #include "lighting.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-#define CORNERS_MAX 4 /* a triangle cut by one plane */
+#define CORNERS_MAX 8 /* a triangle cut by five planes */
 
 /* What is interpolated between corners, all of it linear in camera space. */
 typedef struct attributes {
     double place[3];
     double normal[3];
     double colour[3];  /* of the mesh */
+    double texture[2]; /* in repeats */
     double lit[2][3];  /* per vertex: clamped colours of the front and the back */
     double grazing[2]; /* not interpolated: the smallest counts */
 } attributes;
@@ -32,9 +35,9 @@ typedef struct drawing {
     const glint_object *object;
     double focal; /* pixels per unit of x/w and y/w */
     reference_lights lights;
-    reference_light facet; /* the present triangle's colour, where it is lit once */
-    int rounded_here;      /* the present triangle's screen positions are not given */
-    int back;              /* it is seen from the back */
+    reference_surface facet; /* what of the present triangle is lit, where it is lit once */
+    int rounded_here;        /* the present triangle's screen positions are not given */
+    int back;                /* it is seen from the back */
 } drawing;
 
 /* The cofactors of a pose's linear part: its transposed inverse times the determinant. @return the determinant. */
@@ -144,24 +147,38 @@ static attributes mix(const corner *const c[3], const double share[3], int back)
             sum.colour[axis] += share[i] * at->colour[axis];
             sum.lit[back][axis] += share[i] * at->lit[back][axis];
         }
+        for (int axis = 0; axis < 2; axis++)
+            sum.texture[axis] += share[i] * at->texture[axis];
         sum.grazing[back] = fmin(sum.grazing[back], at->grazing[back]);
     }
     return sum;
 }
 
-static reference_light light_fragment(const drawing *draw, const attributes *at) {
-    reference_surface surface;
+/* Lights a fragment whose texel has a colour. */
+static reference_light light_fragment(const drawing *draw, const attributes *at, const double texel[3]) {
+    const glint_material *const material = draw->object->material;
+    const glint_evaluation *const evaluation = draw->object->evaluation;
+    reference_surface surface = draw->facet;
     reference_light result = {.grazing = at->grazing[draw->back]};
-    if (draw->object->evaluation == &glint_per_facet)
-        return draw->facet;
-    if (draw->object->evaluation == &glint_per_vertex) {
-        memcpy(result.colour, at->lit[draw->back], sizeof result.colour);
+    if (evaluation == &glint_per_vertex) {
+        for (int channel = 0; channel < 3; channel++)
+            result.colour[channel] = at->lit[draw->back][channel] * texel[channel];
         return result;
     }
-    memcpy(surface.place, at->place, sizeof surface.place);
-    memcpy(surface.normal, at->normal, sizeof surface.normal);
-    memcpy(surface.colour, at->colour, sizeof surface.colour);
-    return reference_shade(draw->scene, &draw->lights, draw->object->material, &surface);
+    if (evaluation != &glint_per_facet) {
+        memcpy(surface.place, at->place, sizeof surface.place);
+        memcpy(surface.normal, at->normal, sizeof surface.normal);
+        memcpy(surface.colour, at->colour, sizeof surface.colour);
+    }
+    if (evaluation == &glint_per_facet) {
+        result = reference_shade(draw->scene, &draw->lights, material, &surface);
+        for (int channel = 0; channel < 3; channel++)
+            result.colour[channel] *= texel[channel];
+        return result;
+    }
+    for (int channel = 0; channel < 3; channel++)
+        surface.colour[channel] *= texel[channel];
+    return reference_shade(draw->scene, &draw->lights, material, &surface);
 }
 
 /* The point of depth 1/w seen through a pixel's centre: exact, where the corners' weights would add their rounding. */
@@ -179,34 +196,129 @@ static void place_on_ray(const drawing *draw, int x, int y, double depth, double
     place[2] = -1 / depth;
 }
 
+/* Finds each corner's share, in space, of a point whose weights on the screen are given. @return its depth */
+static double find_shares(const drawing *draw, const corner *const c[3], const double weight[3], double share[3]) {
+    const int is_parallel = draw->scene->camera.projection != NULL;
+    double depth = 0;
+    for (int i = 0; i < 3; i++)
+        depth += is_parallel ? weight[i] * (REFERENCE_FAR - c[i]->w) : weight[i] / c[i]->w;
+    for (int i = 0; i < 3; i++)
+        share[i] = is_parallel ? weight[i] : weight[i] / c[i]->w / depth;
+    return depth;
+}
+
+/* ---- Textures ---- */
+
+/* Sixteenths of a pixel by which corners may be off: those given are the library's own, and it cuts others itself. */
+#define SNAPPED 1
+#define SNAPPED_APART 2
+
+/* Finds the coordinates within what corners may be off by; all there are where some of that lies behind the eye. */
+static void find_window(const drawing *draw, const corner *const c[3], double area, int x, int y, const double at[2],
+                        double window[2][2]) {
+    const int reach = draw->rounded_here ? SNAPPED_APART : SNAPPED;
+    for (int axis = 0; axis < 2; axis++)
+        window[axis][0] = window[axis][1] = at[axis];
+    for (int i = 0; i < 4; i++) {
+        double weight[3], share[3];
+        for (int j = 0; j < 3; j++)
+            weight[j] = (double)edge(c[(j + 1) % 3], c[(j + 2) % 3], 16 * (int64_t)x + 8 + (i % 2 ? reach : -reach),
+                                     16 * (int64_t)y + 8 + (i / 2 ? reach : -reach)) /
+                        area;
+        const double depth = find_shares(draw, c, weight, share);
+        for (int axis = 0; axis < 2; axis++) {
+            const double there = share[0] * c[0]->at.texture[axis] + share[1] * c[1]->at.texture[axis] +
+                                 share[2] * c[2]->at.texture[axis];
+            window[axis][0] = depth > 0 ? fmin(window[axis][0], there) : -INFINITY;
+            window[axis][1] = depth > 0 ? fmax(window[axis][1], there) : INFINITY;
+        }
+    }
+}
+
+/* Sets what a pixel of a texture may show. @return the light of its own texel */
+static reference_light light_texels(const drawing *draw, const attributes *at, const reference_texels *texels,
+                                    reference_pixel *pixel) {
+    pixel->choice_count = texels->count;
+    pixel->unsettled = !texels->count && !texels->may_differ;
+    for (int i = 0; i < texels->count; i++) {
+        const reference_light least = light_fragment(draw, at, texels->least[i]),
+                              most = light_fragment(draw, at, texels->most[i]);
+        memcpy(pixel->choices[i].least, least.colour, sizeof least.colour);
+        memcpy(pixel->choices[i].most, most.colour, sizeof most.colour);
+    }
+    return light_fragment(draw, at, texels->exact);
+}
+
+/* Of 1; a single channel is the luma. */
+static double value_of(const double colour[3], int channels, int channel) {
+    return channels == 1 ? 0.299 * colour[0] + 0.587 * colour[1] + 0.114 * colour[2] : colour[channel];
+}
+
+int reference_find_wanted(const reference_pixel *pixel, int channels, const int most[3], const double stored[3],
+                          double wanted[3]) {
+    double apart = INFINITY;
+    int is_other = 0;
+    for (int i = -1; i < pixel->choice_count; i++) {
+        const double *const first = i < 0 ? pixel->colour : pixel->choices[i].least, *const last =
+                                                                                         i < 0 ? pixel->colour
+                                                                                               : pixel->choices[i].most;
+        double nearest[3], there = 0;
+        for (int channel = 0; channel < channels; channel++) {
+            nearest[channel] = fmax(most[channel] * value_of(first, channels, channel),
+                                    fmin(most[channel] * value_of(last, channels, channel), stored[channel]));
+            there = fmax(there, fabs(nearest[channel] - stored[channel]));
+        }
+        if (there >= apart)
+            continue;
+        apart = there;
+        is_other = i >= 0;
+        memcpy(wanted, nearest, sizeof nearest);
+    }
+    return is_other;
+}
+
+/* ---- Pixels ---- */
+
 /* Weights of the corners are `value` of `area`. */
 static void draw_fragment(const drawing *draw, const corner *const c[3], const int64_t value[3], double area, int x,
                           int y) {
+    static const double white[3] = {1, 1, 1};
+    const glint_material *const material = draw->object->material;
     const double weight[3] = {(double)value[0] / area, (double)value[1] / area, (double)value[2] / area};
     reference_pixel *pixel = &draw->image->pixels[(size_t)y * (size_t)draw->image->width + (size_t)x];
-    double share[3];
-    double depth = 0;
-    const int is_parallel = draw->scene->camera.projection != NULL;
-    for (int i = 0; i < 3; i++)
-        depth += is_parallel ? weight[i] * (REFERENCE_FAR - c[i]->w) : weight[i] / c[i]->w;
+    reference_texels texels;
+    double share[3], window[2][2];
+    const double depth = find_shares(draw, c, weight, share);
+    attributes at = mix(c, share, draw->back);
+    if (material->texture) {
+        find_window(draw, c, area, x, y, at.texture, window);
+        reference_sample(material, at.texture, (const double(*)[2])window, &texels);
+        if (texels.may_differ)
+            pixel->torn = fmax(pixel->torn, depth);
+        if (material->texture->flags)
+            pixel->keyed = fmax(pixel->keyed, depth);
+        if (texels.is_hole)
+            return;
+    }
     if (depth <= pixel->nearest) {
         if (depth > pixel->second)
             pixel->rounded[1] = draw->rounded_here;
         pixel->second = fmax(pixel->second, depth);
         return;
     }
-    for (int i = 0; i < 3; i++)
-        share[i] = is_parallel ? weight[i] : weight[i] / c[i]->w / depth;
-    attributes at = mix(c, share, draw->back);
     place_on_ray(draw, x, y, depth, at.place);
-    const reference_light light = light_fragment(draw, &at);
+    pixel->choice_count = pixel->unsettled = 0;
+    const reference_light plain = light_fragment(draw, &at, white),
+                          light = material->texture ? light_texels(draw, &at, &texels, pixel) : plain;
     pixel->second = pixel->nearest;
     pixel->rounded[1] = pixel->rounded[0];
     pixel->nearest = depth;
     pixel->rounded[0] = draw->rounded_here;
     pixel->covered = 1;
+    pixel->object = (uint32_t)(draw->object - draw->scene->objects);
     pixel->grazing = light.grazing;
     memcpy(pixel->colour, light.colour, sizeof pixel->colour);
+    memcpy(pixel->plain, plain.colour, sizeof pixel->plain);
 }
 
 /* The pixels of 28.4 values and two sixteenths beyond, cut to the screen. */
@@ -244,6 +356,12 @@ static double find_distance(const corner *const c[3], const int64_t value[3]) {
     return distance;
 }
 
+/* Does the present object cover a pixel, where it covers some in a pattern? */
+static int is_kept(const drawing *draw, int x, int y) {
+    const glint_material *const material = draw->object->material;
+    return material->blend != GLINT_BLEND_DITHERED || bayer_threshold(x, y) < reference_real(material->opacity);
+}
+
 /* Corners clockwise on the screen, area above 0. */
 static void draw_clockwise(const drawing *draw, const corner *const c[3], int64_t area) {
     const int64_t xs[3] = {c[0]->x, c[1]->x, c[2]->x};
@@ -256,6 +374,8 @@ static void draw_clockwise(const drawing *draw, const corner *const c[3], int64_
             reference_pixel *pixel = &draw->image->pixels[(size_t)y * (size_t)draw->image->width + (size_t)x];
             int64_t value[3];
             const int inside = locate(c, x, y, value);
+            if (!is_kept(draw, x, y))
+                continue;
             pixel->uncertain |= draw->rounded_here && fabs(find_distance(c, value)) <= 1.5;
             if (inside)
                 draw_fragment(draw, c, value, (double)area, x, y);
@@ -276,7 +396,10 @@ static void draw_triangle(drawing *draw, const corner *a, const corner *b, const
 
 /* ---- Clipping ------------------------------------------------------------------------------------------------ */
 
-/* Rounds a screen position to 28.4, half up. Good to 2^28 pixels, beyond which edge functions leave 64 bits. */
+/* Positions are at most so many pixels from the screen's centre, that edge functions stay within 64 bits. */
+#define FARTHEST_PIXEL 67108864.0
+
+/* Rounds a screen position to 28.4, half up. */
 static void snap(const drawing *draw, corner *c) {
     double screen[2];
     c->w = -c->at.place[2];
@@ -285,41 +408,77 @@ static void snap(const drawing *draw, corner *c) {
     c->y = (int64_t)floor(16 * screen[1] + 0.5);
 }
 
-static corner between(const drawing *draw, const corner *in, const corner *out, double near) {
-    const double t = (in->w - near) / (in->w - out->w);
+/* The corner at t of the way from one to another. */
+static corner between(const corner *in, const corner *out, double t) {
     const double share[3] = {1 - t, t, 0};
     const corner *const ends[3] = {in, out, out};
     const attributes back = mix(ends, share, 1);
     corner cut = {.at = mix(ends, share, 0)};
     memcpy(cut.at.lit[1], back.lit[1], sizeof back.lit[1]);
     cut.at.grazing[1] = back.grazing[1];
-    cut.at.place[2] = -near;
-    snap(draw, &cut);
     return cut;
 }
 
-/* Keeps the part with w >= near (Sutherland and Hodgman, 1974). @return its number of corners. */
-static int clip(const drawing *draw, const corner c[3], corner kept[CORNERS_MAX]) {
-    double near = reference_real(draw->scene->camera.near_plane);
+/* How far inside a plane a corner lies: the near plane, or one of four sides FARTHEST_PIXEL from the centre. */
+static double inside_of(const drawing *draw, const corner *c, int plane) {
+    const double side = FARTHEST_PIXEL / draw->focal * c->w;
+    if (plane == 0)
+        return c->w - reference_real(draw->scene->camera.near_plane);
+    return plane % 2 ? side - c->at.place[plane / 3] : side + c->at.place[plane / 3];
+}
+
+/* Keeps the part inside a plane (Sutherland and Hodgman, 1974). @return its number of corners. */
+static int clip_at(const drawing *draw, int plane, const corner *c, int corners, corner kept[CORNERS_MAX]) {
     int count = 0;
-    for (int i = 0; i < 3; i++) {
+    for (int i = 0; i < corners; i++) {
         const corner *from = &c[i];
-        const corner *to = &c[(i + 1) % 3];
-        if (from->w >= near)
+        const corner *to = &c[(i + 1) % corners];
+        const double here = inside_of(draw, from, plane);
+        const double there = inside_of(draw, to, plane);
+        if (here >= 0 && count < CORNERS_MAX)
             kept[count++] = *from;
-        if (from->w >= near && to->w < near)
-            kept[count++] = between(draw, from, to, near);
-        if (from->w < near && to->w >= near)
-            kept[count++] = between(draw, to, from, near);
+        if ((here >= 0) == (there >= 0) || count == CORNERS_MAX)
+            continue;
+        const corner *const in = here >= 0 ? from : to;
+        const corner *const out = here >= 0 ? to : from;
+        corner *const cut = &kept[count++];
+        if (plane == 0) {
+            const double near = reference_real(draw->scene->camera.near_plane);
+            *cut = between(in, out, (in->w - near) / (in->w - out->w));
+            cut->at.place[2] = -near;
+        } else {
+            *cut = between(in, out, fmax(here, there) / fabs(here - there));
+        }
+        cut->w = -cut->at.place[2];
+    }
+    return count;
+}
+
+/* Is a corner beyond FARTHEST_PIXEL? */
+static int is_beyond(const drawing *draw, const corner *c, int count) {
+    int found = 0;
+    for (int i = 0; i < count; i++)
+        for (int plane = 1; plane < 5; plane++)
+            found |= inside_of(draw, &c[i], plane) < 0;
+    return found && draw->scene->camera.projection == NULL;
+}
+
+/* Keeps the part of a triangle beyond the near plane, and of that what edge functions can hold. */
+static int clip(const drawing *draw, const corner c[3], corner kept[CORNERS_MAX]) {
+    corner other[CORNERS_MAX];
+    int count = clip_at(draw, 0, c, 3, kept);
+    for (int plane = 1; plane < 5 && is_beyond(draw, kept, count); plane++) {
+        memcpy(other, kept, sizeof other);
+        count = clip_at(draw, plane, other, count, kept);
     }
     return count;
 }
 
 /*
- * Once a triangle: at the mean of its corners, with the normal of its plane turned towards the eye: on the side that
- * corners on the screen show, where they are known.
+ * Finds what is lit once a triangle: the mean of its corners, with the normal of its plane turned towards the eye: on
+ * the side that corners on the screen show, where they are known.
  */
-static reference_light light_facet(const drawing *draw, const corner c[3], int is_known) {
+static reference_surface find_facet(const drawing *draw, const corner c[3], int is_known) {
     reference_surface surface;
     double a[3];
     double b[3];
@@ -339,7 +498,7 @@ static reference_light light_facet(const drawing *draw, const corner c[3], int i
                                                    : reference_dot(surface.normal, surface.place);
     for (int axis = 0; axis < 3 && away > 0; axis++)
         surface.normal[axis] = -surface.normal[axis];
-    return reference_shade(draw->scene, &draw->lights, draw->object->material, &surface);
+    return surface;
 }
 
 /* Both sides of a vertex. */
@@ -363,6 +522,7 @@ static corner make_corner(const drawing *draw, uint32_t object, uint32_t index) 
     memcpy(result.at.place, vertex.place, sizeof vertex.place);
     memcpy(result.at.normal, vertex.normal, sizeof vertex.normal);
     reference_mesh_colour(draw->object->mesh, index, result.at.colour);
+    reference_mesh_texture(draw->object->mesh, index, result.at.texture);
     if (draw->object->evaluation == &glint_per_vertex)
         light_vertex(draw, &result.at);
     return result;
@@ -392,7 +552,7 @@ static void draw_object_triangle(drawing *draw, uint32_t object, const corner *v
     }
     draw->rounded_here = !known;
     if (source->evaluation == &glint_per_facet)
-        draw->facet = light_facet(draw, corners, known);
+        draw->facet = find_facet(draw, corners, known);
     int count = clip(draw, corners, kept);
     for (int i = 0; i < count; i++) {
         if (!kept[i].is_given)
@@ -413,6 +573,55 @@ static void draw_object(drawing *draw, uint32_t object, const reference_position
     free(vertices);
 }
 
+/* ---- Layers and fog -------------------------------------------------------------------------------------------- */
+
+static int is_layer(const glint_object *object) {
+    return object->material->blend == GLINT_BLEND_ALPHA || object->material->blend == GLINT_BLEND_ADD;
+}
+
+/* How far the middle of an object's box lies from the eye along the camera's axis. */
+static double find_middle(const glint_scene *scene, const glint_object *object) {
+    const glint_pose *const camera = &scene->camera.pose;
+    const glint_vector at = object->mesh->offset;
+    const double local[3] = {reference_real(at.x), reference_real(at.y), reference_real(at.z)};
+    double depth = 0;
+    for (int row = 0; row < 3; row++) {
+        const glint_q16 *const m = object->pose.m[row];
+        double world = reference_real(m[3]) - reference_real(camera->m[row][3]);
+        for (int axis = 0; axis < 3; axis++)
+            world += reference_real(m[axis]) * local[axis];
+        depth -= reference_real(camera->m[row][2]) * world;
+    }
+    return depth;
+}
+
+static int is_before(const glint_scene *scene, uint32_t a, uint32_t b) {
+    const glint_object *const first = &scene->objects[a], *const second = &scene->objects[b];
+    if (first->order != second->order)
+        return first->order < second->order;
+    return find_middle(scene, first) > find_middle(scene, second);
+}
+
+uint32_t reference_find_layers(const glint_scene *scene, uint32_t *layers) {
+    uint32_t count = 0;
+    for (uint32_t object = 0; object < scene->object_count; object++) {
+        uint32_t place = count;
+        if (scene->objects[object].hidden || !is_layer(&scene->objects[object]))
+            continue;
+        for (; place > 0 && is_before(scene, object, layers[place - 1]); place--)
+            layers[place] = layers[place - 1];
+        layers[place] = object;
+        count++;
+    }
+    return count;
+}
+
+double reference_fog(const glint_fog *fog, double depth) {
+    const double start = reference_real(fog->start), end = reference_real(fog->end);
+    const double part = fmax(0, fmin(1, (depth - start) / (end - start)));
+    return fog->type == &glint_fog_squared ? part * part : part;
+}
+
 /* ---- Scene --------------------------------------------------------------------------------------------------- */
 
 static void clear(const reference_image *image, const glint_colour *background) {
@@ -423,11 +632,25 @@ static void clear(const reference_image *image, const glint_colour *background) 
         image->pixels[i] = empty;
 }
 
-void reference_render(const reference_image *image, const glint_scene *scene,
-                      const reference_position *const *positions) {
+/* Draws all that are not blended, or one object. */
+static void render(const reference_image *image, const glint_scene *scene, const reference_position *const *positions,
+                   const uint32_t *only) {
     drawing draw = {.image = image, .scene = scene, .focal = focal_length(scene, image->height)};
     clear(image, &scene->background);
     reference_prepare_lights(&draw.lights, scene, image->height);
     for (uint32_t object = 0; object < scene->object_count; object++)
-        draw_object(&draw, object, positions ? positions[object] : NULL);
+        if (only ? object == *only : !is_layer(&scene->objects[object]))
+            draw_object(&draw, object, positions ? positions[object] : NULL);
+    for (int i = 0; i < image->width * image->height; i++)
+        image->pixels[i].uncertain |= image->pixels[i].torn > 0 && image->pixels[i].torn >= image->pixels[i].nearest;
+}
+
+void reference_render(const reference_image *image, const glint_scene *scene,
+                      const reference_position *const *positions) {
+    render(image, scene, positions, NULL);
+}
+
+void reference_render_object(const reference_image *image, const glint_scene *scene, uint32_t object,
+                             const reference_position *const *positions) {
+    render(image, scene, positions, &object);
 }

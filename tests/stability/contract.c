@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "contract.h"
 
+#include "glint_extras.h"
+#include "level_set.h"
 #include "library_geometry.h"
 #include "lighting.h"
 #include "picture.h"
@@ -13,14 +15,19 @@
 
 #define GATE (4.6 / 32768)
 
-/* The scene as the library drew it, and as the reference sees it: its light, its objects and its normals. */
+/* All objects that are not blended. */
+#define ALL UINT32_MAX
+
+/* The scene as the library drew it, and as the reference sees it: its light and its normals. */
 typedef struct views {
     int width, height;
     const glint_scene *scene;
+    uint32_t only; /* the object that is seen alone, or ALL */
     reference_lights lights;
     library_geometry geometry;
     picture shaded;
-    reference_image light, object, normal, shortened; /* the last is not 0 where a corner has a short L + V */
+    uint16_t *depth;                          /* of the library */
+    reference_image light, normal, shortened; /* the last is not 0 where a corner has a short L + V */
 } views;
 
 /* ---- Short sums ---------------------------------------------------------------------------------------------- */
@@ -64,29 +71,33 @@ static int has_short(const views *all, uint32_t index, const double place[3]) {
 
 /* ---- What the reference sees beside light: as unlit colours of the vertices ------------------------------------ */
 
-static const glint_material paint = {.model = &glint_model_unlit, .diffuse = {GLINT_ONE, GLINT_ONE, GLINT_ONE}};
-
 static uint8_t encode(double value) {
     return (uint8_t)lrint(127.5 + 127.5 * fmax(-1, fmin(1, value)));
 }
 
-/* What vertices are painted with: the object's number, unit normals, or whether L + V is too short where light is found
- * there. */
-typedef enum painted { PAINTED_NUMBER, PAINTED_NORMAL, PAINTED_SHORT } painted;
+static void see(const views *all, const reference_image *image, const glint_scene *scene) {
+    const reference_position *const *const positions = (const reference_position *const *)all->geometry.positions;
+    if (all->only == ALL)
+        reference_render(image, scene, positions);
+    else
+        reference_render_object(image, scene, all->only, positions);
+}
+
+/* What vertices are painted with: unit normals, or whether L + V is too short where light is found there. */
+typedef enum painted { PAINTED_NORMAL, PAINTED_SHORT } painted;
 
 static void paint_vertices(const views *all, uint32_t object, painted what, uint8_t (*colours)[3]) {
     for (uint32_t i = 0; i < all->scene->objects[object].mesh->vertex_count; i++) {
         reference_vertex vertex = reference_transform(all->scene, object, i, all->width, all->height);
         const uint8_t is_short = what == PAINTED_SHORT && has_short(all, object, vertex.place) ? 255 : 0;
         for (int axis = 0; axis < 3; axis++)
-            colours[i][axis] = what == PAINTED_NUMBER   ? (uint8_t)object
-                               : what == PAINTED_NORMAL ? encode(vertex.normal[axis])
-                                                        : is_short;
+            colours[i][axis] = what == PAINTED_NORMAL ? encode(vertex.normal[axis]) : is_short;
     }
 }
 
 static void render_painted(const views *all, painted what, const reference_image *image) {
     static glint_object objects[LIBRARY_OBJECTS_MAX];
+    static glint_material paints[LIBRARY_OBJECTS_MAX]; /* with the holes of textures */
     static glint_mesh meshes[LIBRARY_OBJECTS_MAX];
     uint8_t(*colours[LIBRARY_OBJECTS_MAX])[3];
     glint_scene scene = *all->scene;
@@ -100,18 +111,21 @@ static void render_painted(const views *all, painted what, const reference_image
         meshes[i].colours = (const uint8_t(*)[3])colours[i];
         meshes[i].colours565 = NULL;
         objects[i].mesh = &meshes[i];
-        objects[i].material = &paint;
+        paints[i] = *objects[i].material;
+        paints[i].model = &glint_model_unlit;
+        paints[i].diffuse = (glint_colour){GLINT_ONE, GLINT_ONE, GLINT_ONE};
+        objects[i].material = &paints[i];
         objects[i].evaluation = NULL;
     }
     scene.objects = objects;
-    reference_render(image, &scene, (const reference_position *const *)all->geometry.positions);
+    see(all, image, &scene);
     for (uint32_t i = 0; i < scene.object_count; i++)
         free(colours[i]);
 }
 
 /* Length of the interpolated normal, to within 0.014: colours have 8 bits. */
 static double normal_length(const views *all, size_t at) {
-    const double *colour = all->normal.pixels[at].colour;
+    const double *colour = all->normal.pixels[at].plain;
     double square = 0;
     for (int axis = 0; axis < 3; axis++)
         square += (2 * colour[axis] - 1) * (2 * colour[axis] - 1);
@@ -185,11 +199,6 @@ static contract_rule find_light_rule(const views *all, const glint_object *objec
     return CONTRACT_JUDGED;
 }
 
-/* The number of the object that is seen in a pixel. */
-static long find_object(const views *all, size_t at) {
-    return lrint(255 * all->object.pixels[at].colour[0]);
-}
-
 /* What changes, at most, from a pixel to the next of the same object: light in steps, and 1/w. */
 typedef struct change {
     double light, inverse_w;
@@ -206,12 +215,12 @@ static change find_change(const views *all, int x, int y) {
             continue;
         const size_t next = (size_t)row * (size_t)all->width + (size_t)column;
         const reference_pixel *there = &all->light.pixels[next];
-        if (!there->covered || find_object(all, next) != find_object(all, at))
+        if (!there->covered || there->object != here->object)
             continue;
         largest.inverse_w = fmax(largest.inverse_w, fabs(there->nearest - here->nearest));
         for (int channel = 0; channel < picture_channels(all->shaded.format); channel++)
-            largest.light = fmax(largest.light, fabs(wanted_level(there->colour, all->shaded.format, channel) -
-                                                     wanted_level(here->colour, all->shaded.format, channel)));
+            largest.light = fmax(largest.light, fabs(wanted_level(there->plain, all->shaded.format, channel) -
+                                                     wanted_level(here->plain, all->shaded.format, channel)));
     }
     return largest;
 }
@@ -227,27 +236,49 @@ static int is_rounded(const views *all, int x, int y) {
 /* Are the two nearest surfaces so close that rounding decides which is nearer? */
 static int are_close(const views *all, const reference_pixel *here, int x, int y) {
     const double apart = here->nearest - here->second;
-    return apart * all->geometry.depth_scale < JUDGE_CLOSE_STEPS || apart < find_change(all, x, y).inverse_w / 64;
+    return here->second > 0 &&
+           (apart * all->geometry.depth_scale < JUDGE_CLOSE_STEPS || apart < find_change(all, x, y).inverse_w / 64);
 }
 
-/* Does 1/w have too few bits there? */
-static int is_far(const views *all, const reference_pixel *wanted) {
-    return !all->scene->camera.projection && wanted->nearest * all->geometry.depth_scale * CONTRACT_FAR < 65536;
+/* Does 1/w have too few bits there, and do they matter? */
+static int is_far(const views *all, const glint_object *object, const reference_pixel *wanted) {
+    return !all->scene->camera.projection && object->evaluation != &glint_per_facet &&
+           wanted->nearest * all->geometry.depth_scale * CONTRACT_FAR < 65536;
 }
 
-static void judge_distance(const views *all, int x, int y, double bound, int is_excused, contract_result *result) {
-    const reference_pixel *wanted = &all->light.pixels[(size_t)y * (size_t)all->width + (size_t)x];
+/* Adds a pixel to those of its depth. Depths are cut off to whole steps. */
+static void add_depth(const views *all, size_t at, double worst, contract_result *result) {
+    const double wanted = all->light.pixels[at].nearest * all->geometry.depth_scale;
+    const double place = fmax(0, fmin(CONTRACT_DEPTHS - 1, floor(log2(65536 / wanted))));
+    contract_depth *const depth = &result->depths[(int)place];
+    depth->pixels++;
+    depth->sum += worst;
+    depth->worst = fmax(depth->worst, worst);
+    depth->apart += fabs(wanted / (all->depth[at] - 0.5) - 1);
+}
+
+static void judge_distance(const views *all, int x, int y, double bound, contract_rule rule, contract_result *result) {
+    const size_t at = (size_t)y * (size_t)all->width + (size_t)x;
+    const reference_pixel *wanted = &all->light.pixels[at];
     const double threshold = picture_threshold(all->shaded.format, x, y);
-    double worst = 0;
-    int steps = 0;
-    for (int channel = 0; channel < picture_channels(all->shaded.format); channel++) {
-        double level = wanted_level(wanted->colour, all->shaded.format, channel);
+    const int channels = picture_channels(all->shaded.format);
+    double levels[3], found[3], worst = 0;
+    int steps = 0, most[3];
+    for (int channel = 0; channel < channels; channel++) {
+        most[channel] = picture_level_max(all->shaded.format, channel);
+        found[channel] = picture_level(&all->shaded, x, y, channel) + 0.5 - threshold;
+    }
+    (void)reference_find_wanted(wanted, channels, most, found, levels);
+    for (int channel = 0; channel < channels; channel++) {
+        const double level = levels[channel];
         int stored = picture_level(&all->shaded, x, y, channel);
         int off = abs(stored - (int)floor(level + threshold));
         worst = fmax(worst, fabs(stored + 0.5 - threshold - level));
         steps = off > steps ? off : steps;
     }
-    if (is_excused) {
+    if (!all->scene->camera.projection && (rule == CONTRACT_JUDGED || rule == CONTRACT_DISTANT))
+        add_depth(all, at, worst, result);
+    if (rule != CONTRACT_JUDGED) {
         result->excused += worst > bound || steps > 1;
         return;
     }
@@ -270,31 +301,31 @@ static contract_rule find_rule(const views *all, const glint_object *object, int
     double place[3];
     if (wanted->uncertain)
         return CONTRACT_UNCERTAIN;
+    if (wanted->unsettled)
+        return CONTRACT_UNSETTLED;
     if (wanted->grazing < GATE)
         return CONTRACT_GATED;
     if (are_close(all, wanted, x, y))
         return CONTRACT_CLOSE;
-    if (is_far(all, wanted))
-        return CONTRACT_DISTANT;
-    if (all->shortened.pixels[at].colour[0] > 0 || (is_per_fragment(object) && normal_length(all, at) < CONTRACT_SHORT))
+    if (all->shortened.pixels[at].plain[0] > 0 || (is_per_fragment(object) && normal_length(all, at) < CONTRACT_SHORT))
         return CONTRACT_SHORT_SUM;
     find_place(all, x, y, wanted->nearest, place);
     const contract_rule rule = find_light_rule(all, object, place);
     if (rule == CONTRACT_JUDGED && is_rounded(all, x, y))
         return CONTRACT_ROUNDED;
-    return rule;
+    return rule == CONTRACT_JUDGED && is_far(all, object, wanted) ? CONTRACT_DISTANT : rule;
 }
 
 static void judge_pixel(const views *all, int x, int y, contract_result *result) {
     const size_t at = (size_t)y * (size_t)all->width + (size_t)x;
     if (!all->light.pixels[at].covered)
         return;
-    const glint_object *object = &all->scene->objects[find_object(all, at)];
+    const glint_object *object = &all->scene->objects[all->light.pixels[at].object];
     const double bound = weights_bound(weights_sum(all->scene, object->material), all->shaded.format);
     const contract_rule rule = find_rule(all, object, x, y);
     result->pixels[rule]++;
-    if (rule != CONTRACT_UNCERTAIN && rule != CONTRACT_GATED && rule != CONTRACT_CLOSE)
-        judge_distance(all, x, y, bound, rule != CONTRACT_JUDGED, result);
+    if (rule != CONTRACT_UNCERTAIN && rule != CONTRACT_UNSETTLED && rule != CONTRACT_GATED && rule != CONTRACT_CLOSE)
+        judge_distance(all, x, y, bound, rule, result);
 }
 
 static reference_image open_image(int width, int height) {
@@ -305,23 +336,254 @@ static reference_image open_image(int width, int height) {
     return image;
 }
 
+static void see_all(const views *all) {
+    see(all, &all->light, all->scene);
+    render_painted(all, PAINTED_NORMAL, &all->normal);
+    render_painted(all, PAINTED_SHORT, &all->shortened);
+}
+
+static views open_views(const glint_scene *scene, int width, int height, const glint_format *format) {
+    views all = {.width = width, .height = height, .scene = scene, .only = ALL};
+    all.shaded = picture_open(width, height, format);
+    all.depth = calloc((size_t)width * (size_t)height, sizeof *all.depth);
+    if (all.depth == NULL)
+        abort();
+    all.light = open_image(width, height);
+    all.normal = open_image(width, height);
+    all.shortened = open_image(width, height);
+    return all;
+}
+
+static void close_views(views *all) {
+    library_geometry_close(&all->geometry);
+    picture_close(&all->shaded);
+    free(all->depth);
+    free(all->light.pixels);
+    free(all->normal.pixels);
+    free(all->shortened.pixels);
+}
+
 /* Looks at each pixel with its own object's bound; counts anew what was over a bound. */
 static void look_closely(views *all, contract_result *result) {
     glint_config config = picture_config(&all->shaded, NULL);
     library_geometry_open(&all->geometry, &config, all->scene);
-    picture_render(&all->shaded, all->scene, NULL, NULL);
+    picture_render(&all->shaded, all->scene, &(picture_options){.depth = all->depth}, NULL);
     reference_prepare_lights(&all->lights, all->scene, all->height);
-    reference_render(&all->light, all->scene, (const reference_position *const *)all->geometry.positions);
-    render_painted(all, PAINTED_NUMBER, &all->object);
-    render_painted(all, PAINTED_NORMAL, &all->normal);
-    render_painted(all, PAINTED_SHORT, &all->shortened);
+    see_all(all);
     result->found.not_fine = result->found.over_one = result->found.over_two = 0;
     result->worst_share = result->found.worst = 0;
     for (int y = 0; y < all->height; y++) {
         for (int x = 0; x < all->width; x++)
             judge_pixel(all, x, y, result);
     }
-    library_geometry_close(&all->geometry);
+}
+
+/* ---- Blending and fog ------------------------------------------------------------------------------------------ */
+
+/* What one colour may be off before it is stored: its levels have 15 bits, which is 1/128 of 255 levels. */
+#define FLAT_SLACK (1.0 / 128)
+
+/* What a pixel may show after the objects drawn so far. */
+typedef struct blended_pixel {
+    level_set levels, background; /* of what is drawn, and of what was painted before */
+    double nearest;               /* of what is not blended */
+    contract_rule rule;           /* by which it is left out */
+} blended_pixel;
+
+static int is_blended(const glint_scene *scene) {
+    int blends = scene->fog != NULL;
+    for (uint32_t i = 0; i < scene->object_count; i++)
+        blends |= scene->objects[i].material->blend != GLINT_BLEND_NONE;
+    return blends;
+}
+
+/* Nodes so many fogs apart tell nothing of where it begins and ends: they are cut off three fogs from either end. */
+#define THIN 2
+
+/*
+ * How far is fog off at a depth along the camera's axis? It is interpolated between nodes, 8 to each octave of depth:
+ * by at most an eighth of the squared way from one to the next times the largest second derivative between them.
+ */
+static double find_fog_slack(const views *all, double w) {
+    const glint_fog *const fog = all->scene->fog;
+    const double range = reference_real(fog->end) - reference_real(fog->start),
+                 start = reference_real(fog->start) / range, scale = all->geometry.depth_scale * range;
+    const int is_squared = fog->type == &glint_fog_squared;
+    if (all->scene->camera.projection) { /* there are 8 octaves of depth */
+        const double depth = fmin(65535, fmax(1, (all->geometry.farthest - w) * all->geometry.depth_scale));
+        const double way = exp2(floor(log2(depth))) / 8 / scale;
+        return way > THIN ? 1 : depth < 260 ? fmin(1, 260 / scale) : is_squared ? way * way / 4 : 0;
+    }
+    if (w * 128 < reference_real(fog->end))
+        return reference_fog(fog, reference_real(fog->end) / 128);
+    const double farther = 9.0 / 8 * w / range; /* depth is 1/w: there the next node may be */
+    return farther / 8 > THIN ? 1 : farther * (is_squared ? 6 * fmax(0, farther - start) + 2 * start : 2) / 512;
+}
+
+/* Opacity is rounded to nearest, to 1/256, and in formats of 16 bits this to 1/32. */
+static double round_opacity(double opacity, const level_place *at) {
+    const double fine = floor(opacity * 256 + 0.5) / 256;
+    return at->coarse > 0 ? floor(fine / at->coarse + 0.5) * at->coarse : fine;
+}
+
+/* A part that fog changes may be rounded either way, by half a step. */
+static level_share round_either_way(level_share part, double step) {
+    return (level_share){fmax(0, part.least - step / 2), fmin(1, part.most + step / 2)};
+}
+
+/* Which part of a surface is seen through fog? Depth is stored in whole steps, and is off by up to two. */
+static level_share find_visible(const views *all, double nearest) {
+    const glint_fog *const fog = all->scene->fog;
+    const double scale = all->geometry.depth_scale, step = JUDGE_CLOSE_STEPS / scale;
+    const int is_parallel = all->scene->camera.projection != NULL;
+    const double near = is_parallel ? REFERENCE_FAR - nearest - step : 1 / (nearest + step);
+    const double far = is_parallel ? REFERENCE_FAR - nearest + step : nearest > step ? 1 / (nearest - step) : INFINITY;
+    const double slack = find_fog_slack(all, is_parallel ? REFERENCE_FAR - nearest : 1 / nearest);
+    const level_share visible = {1 - reference_fog(fog, far) - slack, 1 - reference_fog(fog, near) + slack};
+    return round_either_way(visible, 1.0 / 256);
+}
+
+static void add_fog(const views *all, const level_place *at, const level_set *background, double nearest,
+                    level_set *levels) {
+    const glint_fog *const fog = all->scene->fog;
+    const reference_pixel thick = {.colour = {fmin(1, reference_real(fog->colour.r)),
+                                              fmin(1, reference_real(fog->colour.g)),
+                                              fmin(1, reference_real(fog->colour.b))}};
+    level_set fades;
+    level_set_surface(&fades, at, &thick, FLAT_SLACK);
+    const level_share visible = round_either_way(find_visible(all, nearest), at->coarse);
+    level_set_mix(levels, at, fog->to_background ? background : &fades,
+                  (level_share){1 - visible.most, 1 - visible.least}, 0);
+}
+
+/* Draws the surface of one object over a pixel. */
+static void blend_surface(const views *all, const level_place *at, const reference_pixel *seen, int is_painted,
+                          blended_pixel *to) {
+    const glint_fog *const fog = all->scene->fog;
+    const glint_material *const material = all->scene->objects[all->only].material;
+    const int adds = material->blend == GLINT_BLEND_ADD;
+    const double opacity = reference_real(material->opacity);
+    level_share part = {round_opacity(opacity, at), round_opacity(opacity, at)};
+    level_set levels;
+    level_set_surface(&levels, at, seen, weights_slack(weights_sum(all->scene, material), all->shaded.format));
+    if (fog && (adds || (is_painted && fog->to_background))) {
+        const level_share visible = find_visible(all, seen->nearest);
+        const double whole = floor(opacity * 256 + 0.5) / 256;
+        part = round_either_way((level_share){whole * visible.least, whole * visible.most}, 1.0 / 256);
+        part = round_either_way(part, at->coarse);
+    } else if (fog)
+        add_fog(all, at, &to->background, seen->nearest, &levels);
+    level_set_mix(&to->levels, at, &levels, part, adds);
+}
+
+/* Draws what is not blended: objects, those that cover a part of the pixels too, and fog over them. */
+static void begin_pixel(const views *all, const picture *background, int x, int y, blended_pixel *to,
+                        contract_result *result) {
+    const size_t number = (size_t)y * (size_t)all->width + (size_t)x;
+    const reference_pixel *const seen = &all->light.pixels[number];
+    const level_place at = level_place_of(all->shaded.format, x, y);
+    int level[3];
+    for (int channel = 0; channel < at.channels; channel++)
+        level[channel] = picture_level(background, x, y, channel);
+    *to = (blended_pixel){.nearest = seen->nearest, .rule = seen->uncertain ? CONTRACT_UNCERTAIN : CONTRACT_JUDGED};
+    level_set_known(&to->background, &at, level);
+    to->levels = to->background;
+    result->found.covered += seen->covered;
+    if (seen->uncertain)
+        return;
+    result->found.missed += seen->covered != (all->depth[number] > 0);
+    if (!seen->covered)
+        return;
+    const glint_material *const material = all->scene->objects[seen->object].material;
+    to->rule = find_rule(all, &all->scene->objects[seen->object], x, y);
+    level_set_surface(&to->levels, &at, seen, weights_slack(weights_sum(all->scene, material), all->shaded.format));
+    if (all->scene->fog)
+        add_fog(all, &at, &to->background, seen->nearest, &to->levels);
+}
+
+/* Draws the object that is seen alone over a pixel, where it is nearer than what is not blended. */
+static void blend_pixel(const views *all, int x, int y, int is_painted, blended_pixel *to) {
+    const reference_pixel *const seen = &all->light.pixels[(size_t)y * (size_t)all->width + (size_t)x];
+    const level_place at = level_place_of(all->shaded.format, x, y);
+    const double apart = seen->nearest - to->nearest;
+    contract_rule rule = seen->uncertain ? CONTRACT_UNCERTAIN : CONTRACT_JUDGED;
+    if (seen->covered && to->nearest > 0 &&
+        fabs(apart) < fmax(JUDGE_CLOSE_STEPS / all->geometry.depth_scale, find_change(all, x, y).inverse_w / 64))
+        rule = CONTRACT_CLOSE;
+    else if (seen->covered && apart > 0) {
+        rule = find_rule(all, &all->scene->objects[all->only], x, y);
+        blend_surface(all, &at, seen, is_painted, to);
+    }
+    if (to->rule == CONTRACT_JUDGED)
+        to->rule = rule;
+}
+
+static void judge_blended_pixel(const views *all, int x, int y, const blended_pixel *pixel, contract_result *result) {
+    const level_place at = level_place_of(all->shaded.format, x, y);
+    const contract_rule rule =
+        pixel->rule == CONTRACT_JUDGED && !pixel->levels.count ? CONTRACT_UNSETTLED : pixel->rule;
+    int level[3];
+    for (int channel = 0; channel < at.channels; channel++)
+        level[channel] = picture_level(&all->shaded, x, y, channel);
+    result->pixels[rule]++;
+    if (rule != CONTRACT_JUDGED)
+        return;
+    const int steps = level_set_distance(&pixel->levels, &at, level);
+    result->found.judged++;
+    result->found.not_fine += steps > 0;
+    result->found.over_one += steps > 1;
+    result->found.over_two += steps > 2;
+    if (steps > 0)
+        result->worst_share = fmax(result->worst_share, 1 + steps);
+    if (steps > result->found.worst) {
+        result->found.worst = steps;
+        result->worst_x = x;
+        result->worst_y = y;
+    }
+}
+
+static void judge_blended(views *all, const picture_options *how, blended_pixel *pixels, contract_result *result) {
+    glint_scene empty = *all->scene;
+    uint32_t layers[LIBRARY_OBJECTS_MAX];
+    picture background = picture_open(all->width, all->height, all->shaded.format);
+    const int is_painted = how->background.paint != NULL, count = all->width * all->height;
+    const uint32_t layer_count = reference_find_layers(all->scene, layers);
+    empty.object_count = 0;
+    empty.fog = NULL;
+    result->found.status = picture_render(&background, &empty, how, NULL);
+    reference_prepare_lights(&all->lights, all->scene, all->height);
+    see_all(all);
+    for (int i = 0; i < count; i++)
+        begin_pixel(all, &background, i % all->width, i / all->width, &pixels[i], result);
+    for (uint32_t layer = 0; layer < layer_count; layer++) {
+        all->only = layers[layer];
+        see_all(all);
+        for (int i = 0; i < count; i++)
+            blend_pixel(all, i % all->width, i / all->width, is_painted, &pixels[i]);
+    }
+    for (int i = 0; i < count; i++)
+        judge_blended_pixel(all, i % all->width, i / all->width, &pixels[i], result);
+    picture_close(&background);
+}
+
+void contract_judge_blended(const glint_scene *scene, int width, int height, const glint_format *format,
+                            const picture_options *how, contract_result *result) {
+    views all = open_views(scene, width, height, format);
+    picture_options options = *how;
+    blended_pixel *const pixels = malloc((size_t)width * (size_t)height * sizeof *pixels);
+    if (pixels == NULL)
+        abort();
+    options.layers = &glint_layers;
+    options.depth = all.depth;
+    const glint_config config = picture_config(&all.shaded, &options);
+    *result = (contract_result){.is_fine = picture_level_max(format, 0) == 255};
+    result->found.status = library_geometry_open(&all.geometry, &config, scene);
+    if (result->found.status == GLINT_OK)
+        result->found.status = picture_render(&all.shaded, scene, &options, NULL);
+    if (result->found.status == GLINT_OK)
+        judge_blended(&all, how, pixels, result);
+    free(pixels);
+    close_views(&all);
 }
 
 /* ---- Scenes -------------------------------------------------------------------------------------------------- */
@@ -352,26 +614,23 @@ static void judge_first(const glint_scene *scene, int width, int height, const g
 
 void contract_judge_closely(const glint_scene *scene, int width, int height, const glint_format *format,
                             contract_result *result) {
-    views all = {.width = width, .height = height, .scene = scene, .shaded = picture_open(width, height, format)};
-    judge_first(scene, width, height, format, result);
-    if (result->found.status == GLINT_OK) {
-        all.light = open_image(width, height);
-        all.object = open_image(width, height);
-        all.normal = open_image(width, height);
-        all.shortened = open_image(width, height);
-        look_closely(&all, result);
-        free(all.light.pixels);
-        free(all.object.pixels);
-        free(all.normal.pixels);
-        free(all.shortened.pixels);
+    if (is_blended(scene)) {
+        contract_judge_blended(scene, width, height, format, &(picture_options){0}, result);
+        return;
     }
-    picture_close(&all.shaded);
+    judge_first(scene, width, height, format, result);
+    if (result->found.status != GLINT_OK)
+        return;
+    views all = open_views(scene, width, height, format);
+    look_closely(&all, result);
+    close_views(&all);
 }
 
 void contract_judge(const glint_scene *scene, int width, int height, const glint_format *format,
                     contract_result *result) {
-    judge_first(scene, width, height, format, result);
-    if (result->found.not_fine + result->found.over_one > 0)
+    if (!is_blended(scene))
+        judge_first(scene, width, height, format, result);
+    if (is_blended(scene) || result->found.not_fine + result->found.over_one > 0)
         contract_judge_closely(scene, width, height, format, result);
 }
 

@@ -71,6 +71,8 @@ static const kept_scene kept_scenes[] = {
     {8, 50144606u, 0x6f4dad503cefbdcbu, 0, 0, 0.5},   /* lights at the surface: a facet seen on edge */
     {4, 5022238u, 0x0ee59ac9182eb8f4u, 0, 0, 0},      /* slivers: the same */
     {18, 50030208u, 0xdcaf08e77b1e3b37u, 0, 0, 0},    /* depth ratios to 2^33: the same, its first corner far away */
+    {21, 155u, 0x1e28d6d0dfa90f5bu, 0, 0, 0},         /* rooms: a near plane below 2^-28 of an extent */
+    {22, 1647u, 0x9c5c9e1151129a06u, 0, 0, 0},        /* terrains: the same */
 };
 
 #endif

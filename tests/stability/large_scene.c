@@ -2,7 +2,8 @@
 #include "large_scene.h"
 
 #include "every_format.h"
-#include "source.h"
+#include "grids.h"
+#include "random_texture.h"
 
 #include <string.h>
 
@@ -52,51 +53,26 @@ static void set_triangle(large_mesh *mesh, uint32_t a, uint32_t b, uint32_t c) {
     corners[2] = (uint16_t)c;
 }
 
-/* Adds (cells + 1)^2 vertices, and two triangles for each cell: the first corner, and where its rows and columns go. */
-static void add_grid(large_mesh *mesh, const int32_t first[3], const int32_t across_it[3], const int32_t along_it[3],
-                     const int16_t normal[3], uint32_t cells) {
-    const uint32_t start = mesh->mesh.vertex_count;
-    for (uint32_t j = 0; j <= cells; j++)
-        for (uint32_t i = 0; i <= cells; i++) {
-            const uint32_t v = mesh->mesh.vertex_count++;
-            for (int axis = 0; axis < 3; axis++) {
-                const int64_t part = (int64_t)across_it[axis] * i + (int64_t)along_it[axis] * j;
-                mesh->positions[v][axis] = (int16_t)(first[axis] + part / (int64_t)cells);
-                mesh->normals[v][axis] = normal[axis];
-            }
-        }
-    for (uint32_t j = 0; j < cells; j++)
-        for (uint32_t i = 0; i < cells; i++) {
-            const uint32_t v = start + j * (cells + 1) + i;
-            set_triangle(mesh, v, v + 1, v + cells + 2);
-            set_triangle(mesh, v, v + cells + 2, v + cells + 1);
-        }
+/* The mesh's arrays, as large as they are. */
+static glint_mesh_room room_of(large_mesh *mesh) {
+    return (glint_mesh_room){.positions = mesh->positions, .normals = mesh->normals, .triangles = mesh->triangles};
 }
 
 /* A terrain as wide as all steps, its heights random. */
 static void make_terrain(large_mesh *mesh, source *random, glint_q16 size) {
-    static const int32_t first[3] = {-32767, 0, -32767}, right[3] = {65534, 0, 0}, back[3] = {0, 0, 65534};
-    static const int16_t up[3] = {0, 32767, 0};
+    const glint_mesh_room room = room_of(mesh);
     begin_mesh(mesh, size);
     mesh->mesh.extent.y = size / 5 + 1;
-    add_grid(mesh, first, right, back, up, 1 + below(random, 6));
+    grid_add_terrain(&mesh->mesh, &room, 1 + below(random, 6));
     for (uint32_t i = 0; i < mesh->mesh.vertex_count; i++)
         mesh->positions[i][1] = (int16_t)between(random, -32768, 32767);
 }
 
 /* A room: six walls, their front faces inside. */
 static void make_room(large_mesh *mesh, source *random, glint_q16 size) {
-    const uint32_t cells = 1 + below(random, 2);
+    const glint_mesh_room room = room_of(mesh);
     begin_mesh(mesh, size);
-    for (int wall = 0; wall < 6; wall++) {
-        const int axis = wall / 2, u = (axis + 1) % 3, v = (axis + 2) % 3, low = wall % 2;
-        int32_t first[3] = {-32767, -32767, -32767}, across_it[3] = {0}, along_it[3] = {0};
-        int16_t inward[3] = {0};
-        first[axis] = low ? -32767 : 32767;
-        inward[axis] = low ? 32767 : -32767;
-        across_it[low ? u : v] = along_it[low ? v : u] = 65534; /* across x along is inward */
-        add_grid(mesh, first, across_it, along_it, inward, cells);
-    }
+    grid_add_room(&mesh->mesh, &room, 1 + below(random, 2));
     if (one_in(random, 2))
         mesh->mesh.flags = 0;
 }
@@ -215,6 +191,18 @@ static void add_depths(large_scene *s, source *random) {
     }
 }
 
+/* Lets half of the objects of some scenes wear textures. */
+static void dress(large_scene *s, source *random) {
+    if (!one_in(random, 3))
+        return;
+    for (uint32_t i = 0; i < s->scene.object_count; i++) {
+        large_mesh *const mesh = &s->meshes[i];
+        if (one_in(random, 2))
+            random_texture_dress(&mesh->mesh, mesh->texture_coordinates, &s->materials[i], &s->textures[i], random);
+        s->is_closed &= !s->textures[i].flags;
+    }
+}
+
 /* ---- Scenes -------------------------------------------------------------------------------------------------- */
 
 const char *const large_kind_names[LARGE_KINDS] = {"terrain", "room", "loose triangles", "depths"};
@@ -251,4 +239,5 @@ void large_scene_make(large_scene *s, uint64_t seed) {
     if (one_in(&random, 3))
         add_flag(s, &random);
     make_lights(s, &random, size);
+    dress(s, &random);
 }

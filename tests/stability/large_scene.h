@@ -8,7 +8,7 @@
 #ifndef GLINT_STABILITY_LARGE_SCENE_H
 #define GLINT_STABILITY_LARGE_SCENE_H
 
-#include "glint.h"
+#include "glint_extras.h"
 
 #define LARGE_OBJECTS_MAX 4
 #define LARGE_VERTICES_MAX 96
@@ -20,6 +20,7 @@ typedef struct large_mesh {
     int16_t normals[LARGE_VERTICES_MAX][3];
     uint16_t triangles[LARGE_TRIANGLES_MAX][3];
     uint8_t colours[LARGE_VERTICES_MAX][3];
+    int16_t texture_coordinates[LARGE_VERTICES_MAX][2];
 } large_mesh;
 
 typedef enum large_kind { LARGE_TERRAIN, LARGE_ROOM, LARGE_LOOSE, LARGE_DEPTHS, LARGE_KINDS } large_kind;
@@ -33,8 +34,10 @@ typedef struct large_scene {
     const glint_format *format;
     large_mesh meshes[LARGE_OBJECTS_MAX];
     glint_material materials[LARGE_OBJECTS_MAX];
+    glint_texture textures[LARGE_OBJECTS_MAX];
     glint_light lights[GLINT_LIGHTS_MAX];
     glint_object objects[LARGE_OBJECTS_MAX];
+    glint_fog fog;
     glint_scene scene;
 } large_scene;
 

@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""The tables of docs/stability.md: page.py PAGE REGIONS SEARCH.csv writes them anew; with --check, says whether they are
+"""The tables of docs/stability.md: page.py PAGE REGIONS.csv SEARCH.csv writes them anew; with --check, says whether they are
 those, and with --program PROGRAM draws each region's worst scene again and compares.
 
-REGIONS holds the first table as it is to stand; SEARCH.csv is search.py's.
+REGIONS.csv is table.c's, SEARCH.csv search.py's.
 """
 import argparse
 import csv
@@ -17,8 +17,23 @@ sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), ".."
 from markdown import fill, table  # noqa: E402
 
 
+def read(path):
+    with open(path, newline="") as file:
+        return list(csv.DictReader(file))
+
+
 def percent(part, whole):
     return "%.4f" % (100 * part / whole) if whole else "-"
+
+
+def describe_regions(rows):
+    def found(row, column):
+        bound = row[column + "_bound"]
+        return row[column] + (" of " + bound if float(bound) > 0 else "")
+
+    return table(["region", "plain method", "its error", "RGB888", "RGB565", "what the library does"],
+                 [[row["region"], row["plain_method"], row["plain"] + " " + row["unit"], found(row, "rgb888"),
+                   found(row, "rgb565"), row["does"]] for row in rows])
 
 
 def describe_search(rows):
@@ -72,11 +87,8 @@ def main():
     arguments = parser.parse_args()
     with open(arguments.page) as file:
         page = file.read()
-    with open(arguments.regions) as file:
-        text = fill(page, "regions", file.read())
-    with open(arguments.search, newline="") as file:
-        rows = list(csv.DictReader(file))
-    text = fill(text, "search", describe_search(rows))
+    regions, rows = read(arguments.regions), read(arguments.search)
+    text = fill(fill(page, "regions", describe_regions(regions)), "search", describe_search(rows))
     if arguments.check:
         return check(text, page, rows, arguments.program)
     with open(arguments.page, "w") as file:

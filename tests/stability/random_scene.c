@@ -3,6 +3,8 @@
 
 #include "byte_order.h"
 #include "glint_extras.h"
+#include "grids.h"
+#include "random_texture.h"
 #include "source.h"
 #include "weights.h"
 
@@ -569,6 +571,124 @@ static void make_large_of_any_exponent(random_scene *s, source *random) {
         s->materials[i].shininess = one_in(random, 2) ? q16(between(random, 0, 1)) : q16(across(random, 1, 32767));
 }
 
+/* ---- Rooms and terrains ------------------------------------------------------------------------------------------ */
+
+/* What is much larger than the near plane, from 1/65536 to as far from the eye as coordinates reach. */
+typedef struct deep_place {
+    double size;      /* half of the largest side */
+    double near;      /* plane */
+    double centre[3]; /* from the eye, in the mesh's own axes */
+} deep_place;
+
+/* The largest half side, so that a corner is at most 2^17 away along each axis. */
+#define MOST_SIZE 60000.0
+
+/* Numbers of offsets and extents go to 2^15: the pose is to scale what is larger. */
+static double scale_of(const deep_place *place) {
+    return place->size > 8000 ? 8 : 1;
+}
+
+/* The eye is no nearer to a surface: places are known to some 2^-27 of an object's size (glint.h). */
+static double least_way(const deep_place *place) {
+    return fmax(64 * place->near, place->size / 65536);
+}
+
+static deep_place take_place(random_scene *s, source *random) {
+    deep_place place = {.size = across(random, 1, MOST_SIZE)};
+    place.near = one_in(random, 3) ? LEAST_DEPTH : across(random, LEAST_DEPTH, place.size / 256);
+    s->scene.camera.near_plane = q16(place.near);
+    return place;
+}
+
+/* Lets a mesh of all steps reach `half` of the place's size along each axis, with the eye where the place says. */
+static void put_around_eye(random_scene *s, const deep_place *place, const double half[3], const glint_pose *turn) {
+    const double up = scale_of(place);
+    glint_mesh *mesh = &s->meshes[0].mesh;
+    mesh->extent = vector(half[0] * place->size / up, half[1] * place->size / up, half[2] * place->size / up);
+    mesh->offset = vector(place->centre[0] / up, place->centre[1] / up, place->centre[2] / up);
+    s->objects[0].pose = *turn;
+    scale_columns(&s->objects[0].pose, up, up, up);
+}
+
+/* An upright eye that looks around, up or down a little, or one that lies anyhow. */
+static glint_pose look_around(source *random) {
+    if (one_in(random, 4))
+        return random_turn(random);
+    const glint_pose around = glint_pose_rotate_y(q16(between(random, 0, 360)));
+    const glint_pose tilt = glint_pose_rotate_x(q16(between(random, -30, 30)));
+    return glint_pose_then(&around, &tilt);
+}
+
+/* What all such scenes share: objects in the room, or one by the eye and the near plane, each evaluation, colours, and
+ * lamps as far as the room is large. */
+static void furnish(random_scene *s, const deep_place *place, source *random) {
+    static const glint_evaluation *const evaluations[3] = {&glint_per_fragment, &glint_per_vertex, &glint_per_facet};
+    s->scene.object_count = 1 + below(random, RANDOM_OBJECTS_MAX);
+    for (uint32_t i = 1; i < s->scene.object_count; i++)
+        if (one_in(random, 3)) /* depth is relative to the nearest */
+            place_far(s, i, fmin(100000, (10 + 2 / half_view(s)) * place->near * across(random, 1, 256)), random);
+        else
+            place_far(s, i, place->size * across(random, 0.01, 0.5), random);
+    for (uint32_t i = 0; i < s->scene.object_count; i++) {
+        s->objects[i].evaluation = evaluations[below(random, 3)];
+        if (one_in(random, 2))
+            random_colours(&s->meshes[i], random);
+    }
+    for (uint32_t i = 0; i < s->scene.light_count; i++) {
+        glint_light *light = &s->lights[i];
+        if (light->type == &glint_light_directional)
+            continue;
+        const double reach = fmin(place->size, 12000); /* positions go to 2^15, and the eye is up to 5000 away */
+        const double x = between(random, -reach, reach);
+        const double y = between(random, -reach, reach);
+        light->position = vector(x, y, between(random, -reach, reach));
+        light->linear = q16(light->linear / 65536.0 / reach);
+        light->quadratic = q16(light->quadratic / 65536.0 / reach / reach);
+    }
+}
+
+/* A closed room with the eye in it, one time in four by a wall. */
+static void make_room(random_scene *s, source *random) {
+    deep_place place = take_place(s, random);
+    const glint_mesh_room room = room_of(&s->meshes[0]);
+    double half[3];
+    for (int axis = 0; axis < 3; axis++) {
+        half[axis] = axis ? across(random, 0.1, 1) : 1;
+        place.centre[axis] = between(random, -0.8, 0.8) * half[axis] * place.size;
+    }
+    if (one_in(random, 4))
+        place.centre[below(random, 2)] =
+            place.size * half[1] - across(random, least_way(&place), 0.5 * half[1] * place.size);
+    own_arrays(&s->meshes[0], 0, 0);
+    grid_add_room(&s->meshes[0].mesh, &room, 1 + below(random, 2));
+    const glint_pose turn = look_around(random);
+    put_around_eye(s, &place, half, &turn);
+    furnish(s, &place, random);
+}
+
+/* A terrain, or one time in two a flat floor, to the horizon below the eye. */
+static void make_terrain(random_scene *s, source *random) {
+    deep_place place = take_place(s, random);
+    const glint_mesh_room room = room_of(&s->meshes[0]);
+    random_mesh *mesh = &s->meshes[0];
+    const double height = across(random, 0.001, 0.2), above = across(random, least_way(&place), 0.3 * place.size);
+    const double half[3] = {1, height, 1};
+    own_arrays(mesh, 0, 0);
+    grid_add_terrain(&mesh->mesh, &room, 1 + below(random, 6));
+    if (one_in(random, 2)) {
+        for (uint32_t i = 0; i < mesh->mesh.vertex_count; i++)
+            mesh->positions[i][1] = (int16_t)lrint(between(random, -32767, 32767));
+        lean_normals(mesh, random, between(random, 0, 0.4));
+    }
+    place.centre[0] = between(random, -0.8, 0.8) * place.size;
+    place.centre[1] = -above;
+    place.centre[2] = between(random, -0.8, 0.8) * place.size;
+    mesh->mesh.flags = below(random, 2);
+    const glint_pose turn = look_around(random);
+    put_around_eye(s, &place, half, &turn);
+    furnish(s, &place, random);
+}
+
 /* ---- All regions --------------------------------------------------------------------------------------------- */
 
 typedef struct region_maker {
@@ -598,6 +718,9 @@ const random_region random_regions[] = {
     {"depth ratios to 2^33", 1},
     {"large triangles", 1},
     {"large triangles of any p", 0},
+    {"rooms", 1},
+    {"terrains", 1},
+    {"textures", 1},
 };
 const unsigned random_region_count = sizeof random_regions / sizeof random_regions[0];
 
@@ -623,6 +746,8 @@ static const region_maker makers[] = {
     {make_far, 0},
     {make_large, 0},
     {make_large_of_any_exponent, 0},
+    {make_room, 0},
+    {make_terrain, 0},
 };
 
 /* ---- Scene --------------------------------------------------------------------------------------------------- */
@@ -688,7 +813,26 @@ static void to_world(random_scene *s) {
     }
 }
 
+void random_scene_wear(random_scene *s, uint64_t seed) {
+    source random = {~seed};
+    for (uint32_t i = 0; i < s->scene.object_count; i++) {
+        random_mesh *const mesh = &s->meshes[i];
+        if (one_in(&random, 4))
+            continue;
+        random_texture_dress(&mesh->mesh, mesh->texture_coordinates, &s->materials[i], &s->textures[i], &random);
+    }
+}
+
+/* The region whose scenes a seed gives textures: any whose exponents keep to the contract. */
+static unsigned find_bare_region(uint64_t seed) {
+    unsigned region = (unsigned)(seed / 4 % RANDOM_TEXTURED_REGION);
+    while (!random_regions[region].in_contract)
+        region--;
+    return region;
+}
+
 void random_scene_make_in(random_scene *s, unsigned region, uint64_t seed) {
+    const region_maker *const maker = &makers[region == RANDOM_TEXTURED_REGION ? find_bare_region(seed) : region];
     source random = {seed};
     memset(s, 0, sizeof *s);
     s->seed = seed;
@@ -706,18 +850,22 @@ void random_scene_make_in(random_scene *s, unsigned region, uint64_t seed) {
         make_object(s, i, &random);
     for (uint32_t i = 0; i < s->scene.light_count; i++)
         make_light(s, &s->lights[i], &random);
-    makers[s->region].make(s, &random);
-    if (!makers[s->region].weights_left)
+    maker->make(s, &random);
+    if (!maker->weights_left)
         limit_weights(s, one_in(&random, 4) ? across(&random, 1, 2.5) : 1);
     for (uint32_t i = 0; i < s->scene.object_count; i++) {
         if (one_in(&random, 6))
             random_colours(&s->meshes[i], &random);
     }
     to_world(s);
+    if (region == RANDOM_TEXTURED_REGION)
+        random_scene_wear(s, seed);
 }
 
 void random_scene_make(random_scene *s, uint64_t seed) {
-    random_scene_make_in(s, (unsigned)(seed % random_region_count), seed);
+    random_scene_make_in(
+        s, (unsigned)(seed % 4 == 3 ? RANDOM_DEEP_REGION + seed / 4 % RANDOM_DEEP_REGIONS : seed % RANDOM_DEEP_REGION),
+        seed);
 }
 
 /* Adds numbers of `each` bytes. */

@@ -7,7 +7,7 @@
 #ifndef GLINT_STABILITY_RANDOM_SCENE_H
 #define GLINT_STABILITY_RANDOM_SCENE_H
 
-#include "glint.h"
+#include "glint_extras.h"
 
 #define RANDOM_OBJECTS_MAX 3
 #define RANDOM_LIGHTS_MAX 4
@@ -20,6 +20,7 @@ typedef struct random_mesh {
     int16_t normals[RANDOM_VERTICES_MAX][3];
     uint16_t triangles[RANDOM_TRIANGLES_MAX][3];
     uint8_t colours[RANDOM_VERTICES_MAX][3];
+    int16_t texture_coordinates[RANDOM_VERTICES_MAX][2];
 } random_mesh;
 
 /** A scene and all it points to; not to be moved once made. */
@@ -31,8 +32,10 @@ typedef struct random_scene {
     uint16_t tile_width, tile_height; /**< Of the configuration. */
     random_mesh meshes[RANDOM_OBJECTS_MAX];
     glint_material materials[RANDOM_OBJECTS_MAX];
+    glint_texture textures[RANDOM_OBJECTS_MAX];
     glint_light lights[GLINT_LIGHTS_MAX]; /**< Most regions have RANDOM_LIGHTS_MAX at most. */
     glint_object objects[RANDOM_OBJECTS_MAX];
+    glint_fog fog;
     glint_scene scene;
 } random_scene;
 
@@ -44,11 +47,20 @@ typedef struct random_region {
 extern const random_region random_regions[];
 extern const unsigned random_region_count;
 
+/** The regions from this one on are of rooms and terrains, the last one of all, but with textures. */
+#define RANDOM_DEEP_REGION 21
+#define RANDOM_DEEP_REGIONS 2
+#define RANDOM_TEXTURED_REGION (RANDOM_DEEP_REGION + RANDOM_DEEP_REGIONS)
+
 /** Makes the scene of a seed in a region: the same whatever other regions there are. */
 void random_scene_make_in(random_scene *scene, unsigned region, uint64_t seed);
 
-/** The same in the region seed modulo random_region_count. */
+/** The same in the region that the seed picks: one seed of four, those of 3 modulo 4, is of rooms and terrains; none
+ * has textures. */
 void random_scene_make(random_scene *scene, uint64_t seed);
+
+/** Lets most objects wear textures. */
+void random_scene_wear(random_scene *scene, uint64_t seed);
 
 /** FNV-1a (Fowler, Noll and Vo) over all that a scene says: tells whether a seed still makes the scene it made. */
 uint64_t random_scene_checksum(const random_scene *scene);

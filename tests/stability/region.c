@@ -12,19 +12,26 @@
 
 static const glint_format *const formats[2] = {&glint_format_rgb888, &glint_format_rgb565};
 
-const region *region_at(unsigned i) {
+const region *region_at(unsigned i, const char **topic) {
     const struct {
+        const char *topic;
         const region *rows;
         unsigned count;
     } groups[] = {
-        {highlight_regions, highlight_region_count}, {normal_regions, normal_region_count},
-        {power_regions, power_region_count},         {light_regions, light_region_count},
-        {triangle_regions, triangle_region_count},   {pose_regions, pose_region_count},
-        {screen_regions, screen_region_count},       {input_regions, input_region_count},
+        {"highlights", highlight_regions, highlight_region_count},
+        {"normals", normal_regions, normal_region_count},
+        {"powers", power_regions, power_region_count},
+        {"lights", light_regions, light_region_count},
+        {"triangles", triangle_regions, triangle_region_count},
+        {"poses", pose_regions, pose_region_count},
+        {"screens", screen_regions, screen_region_count},
+        {"inputs", input_regions, input_region_count},
     };
     for (unsigned group = 0; group < sizeof groups / sizeof groups[0]; group++) {
-        if (i < groups[group].count)
+        if (i < groups[group].count) {
+            *topic = groups[group].topic;
             return &groups[group].rows[i];
+        }
         i -= groups[group].count;
     }
     return NULL;

@@ -35,8 +35,8 @@ extern const region highlight_regions[], normal_regions[], power_regions[], ligh
 extern const unsigned highlight_region_count, normal_region_count, power_region_count, light_region_count,
     triangle_region_count, pose_region_count, screen_region_count, input_region_count;
 
-/** All of them in the order of the table: region i, or null beyond the last. */
-const region *region_at(unsigned i);
+/** All of them in the order of the table: region i and its topic, or null beyond the last. */
+const region *region_at(unsigned i, const char **topic);
 
 /** Does a region's plain method fail, and does the library keep to the contract? Reports to the test harness. */
 void region_check(const region *which, const region_figures *figures);

@@ -9,15 +9,18 @@ static unsigned region_next;
 
 static void run_next(void) {
     region_figures figures = {0};
-    const region *which = region_at(region_next++);
+    const char *topic;
+    const region *which = region_at(region_next++, &topic);
     which->measure(&figures);
     region_check(which, &figures);
 }
 
 int test_main(test_writer write) {
     static test_case cases[REGIONS_MAX];
+    const char *topic;
+    const region *which;
     unsigned count = 0;
-    for (; count < REGIONS_MAX && region_at(count); count++)
-        cases[count] = (test_case){region_at(count)->name, run_next};
+    for (; count < REGIONS_MAX && (which = region_at(count, &topic)); count++)
+        cases[count] = (test_case){which->name, run_next};
     return test_run(write, cases, count);
 }

@@ -20,7 +20,7 @@ typedef struct tally {
     uint64_t worst_seed, worst_checksum;
 } tally;
 
-/* Whether the image is another with tiles of another size and the smallest arena. */
+/* Whether the image is another with tiles of another size and the smallest arena, or any up to that of one pass. */
 static int is_moved(const random_scene *s) {
     picture plain = picture_open(s->width, s->height, s->format);
     picture other = picture_open(s->width, s->height, s->format);
@@ -28,7 +28,7 @@ static int is_moved(const random_scene *s) {
     glint_config config = picture_config(&other, &options);
     glint_need need = {0};
     int moved = glint_arena_need(&config, &s->scene, &need) != GLINT_OK;
-    options.arena_size = need.least;
+    options.arena_size = picture_arena(&need, s->seed / 8 % 2 ? 0 : (uint32_t)(s->seed / 16 % 257));
     moved = moved || picture_render(&plain, &s->scene, NULL, NULL) != GLINT_OK ||
             picture_render(&other, &s->scene, &options, NULL) != GLINT_OK || !picture_equal(&plain, &other);
     picture_close(&plain);
@@ -49,13 +49,11 @@ static void print_scene(const random_scene *s, const contract_result *result, in
            result->bound, result->worst_x, result->worst_y, s->width, s->height);
 }
 
-static void judge_seed(uint64_t seed, tally *tallies) {
-    static random_scene scene;
+static void judge_scene(const random_scene *scene, tally *tallies) {
     contract_result result;
-    random_scene_make(&scene, seed);
-    tally *t = &tallies[scene.region];
-    contract_judge(&scene.scene, scene.width, scene.height, scene.format, &result);
-    int moved = is_moved(&scene);
+    tally *t = &tallies[scene->region];
+    contract_judge(&scene->scene, scene->width, scene->height, scene->format, &result);
+    int moved = is_moved(scene);
     judgement_add(&t->sum, &result.found);
     t->scenes++;
     t->excused += result.excused;
@@ -66,11 +64,22 @@ static void judge_seed(uint64_t seed, tally *tallies) {
         t->worst_share = result.worst_share;
         t->worst = result.found.worst;
         t->bound = result.bound;
-        t->worst_seed = seed;
-        t->worst_checksum = random_scene_checksum(&scene);
+        t->worst_seed = scene->seed;
+        t->worst_checksum = random_scene_checksum(scene);
     }
     if (!contract_holds(&result) || moved || result.found.over_one)
-        print_scene(&scene, &result, moved);
+        print_scene(scene, &result, moved);
+}
+
+/* One scene of four is drawn again with textures. */
+static void judge_seed(uint64_t seed, tally *tallies) {
+    static random_scene scene;
+    random_scene_make(&scene, seed);
+    judge_scene(&scene, tallies);
+    if (seed % 4 == 1) {
+        random_scene_make_in(&scene, RANDOM_TEXTURED_REGION, seed);
+        judge_scene(&scene, tallies);
+    }
 }
 
 /* The columns of search.py, after the word "region". */

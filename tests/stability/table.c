@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Prints the regions as rows of docs/stability.md. */
+/* Prints the regions as CSV: what docs/stability.md says of them, and its chart shows. */
 #include "region.h"
 
 #include <math.h>
@@ -8,31 +8,29 @@
 /* Two decimals, but whole numbers as they are. */
 static void print_figure(double figure) {
     if (figure == floor(figure))
-        printf("%.0f", figure);
+        printf(",%.0f", figure);
     else
-        printf("%.2f", figure);
+        printf(",%.2f", figure);
 }
 
-static void print_row(const region *row) {
+/* Texts have commas, and no quotation marks. */
+static void print_row(const region *row, const char *topic) {
     region_figures figures = {0};
     row->measure(&figures);
-    printf("| %s | %s | ", row->name, row->plain);
+    printf("%s,\"%s\",\"%s\",\"%s\"", topic, row->name, row->plain, row->unit);
     print_figure(figures.plain);
-    printf(" %s | ", row->unit);
-    print_figure(figures.library[0]);
-    if (figures.bound[0] > 0)
-        printf(" of %.2f", figures.bound[0]);
-    printf(" | ");
-    print_figure(figures.library[1]);
-    if (figures.bound[1] > 0)
-        printf(" of %.2f", figures.bound[1]);
-    printf(" | %s |\n", row->does);
+    for (int format = 0; format < 2; format++) {
+        print_figure(figures.library[format]);
+        printf(",%.2f", figures.bound[format]);
+    }
+    printf(",\"%s\"\n", row->does);
 }
 
 int main(void) {
-    puts("| region | plain method | its error | RGB888 | RGB565 | what the library does |");
-    puts("| --- | --- | --- | --- | --- | --- |");
-    for (unsigned i = 0; region_at(i); i++)
-        print_row(region_at(i));
+    puts("topic,region,plain_method,unit,plain,rgb888,rgb888_bound,rgb565,rgb565_bound,does");
+    const char *topic;
+    const region *row;
+    for (unsigned i = 0; (row = region_at(i, &topic)); i++)
+        print_row(row, topic);
     return 0;
 }

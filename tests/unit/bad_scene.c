@@ -150,7 +150,7 @@ void unknown_flags_are_refused(void) {
             ACCEPTED(f->torus.flags = flag);
         else
             REFUSED(GLINT_ERROR_FLAGS, f->torus.flags = flag);
-        if (flag & (GLINT_MATERIAL_SPECULAR_UNGATED | GLINT_MATERIAL_MAX_WITH_AMBIENT))
+        if (flag < 2 * GLINT_MATERIAL_BILINEAR)
             ACCEPTED(f->materials[0].flags = flag);
         else
             REFUSED(GLINT_ERROR_FLAGS, f->materials[0].flags = flag);

@@ -144,6 +144,51 @@ static uint32_t pictures(uint32_t first, uint32_t count) {
     return checksum;
 }
 
+/* ---- Textures ---- */
+
+/* Texels of one byte and of two; those of a byte are numbers of a palette, too. */
+static const uint8_t small_texels[64] = {0,  9, 15, 2,  7, 7,  12, 4, 1, 8, 14, 3,  6,  5, 13, 11, 10, 0, 9,  15, 2, 7,
+                                         12, 4, 4,  8,  1, 14, 3,  6, 5, 5, 13, 11, 10, 0, 2,  7,  9,  1, 15, 12, 8, 4,
+                                         14, 6, 3,  13, 0, 11, 10, 5, 9, 2, 7,  12, 15, 4, 8,  1,  14, 3, 13, 6};
+static const uint16_t large_texels[16] = {0x0000, 0xffff, 0xf800, 0x07e0, 0x001f, 0x8410, 0xfbe0, 0x1234,
+                                          0x07e0, 0x9cd3, 0x4208, 0xc618, 0x867d, 0xa145, 0x3a69, 0x07e0};
+
+/* Lets the first object wear a texture. Any numbers serve as coordinates: positions are. */
+static void set_texture(fixture *f, uint32_t kind, glint_texture *texture) {
+    static const glint_texture_type *const types[4] = {&glint_texture_rgb565, &glint_texture_palette256,
+                                                       &glint_texture_palette16, &glint_texture_grey8};
+    glint_mesh *const mesh = f->objects[0].mesh == &f->floor ? &f->floor : &f->torus;
+    const uint32_t type = kind % 4;
+    *texture = (glint_texture){types[type],
+                               type ? (const void *)small_texels : (const void *)large_texels,
+                               type == 1 || type == 2 ? large_texels : 0,
+                               (uint16_t)(type ? 16u >> kind / 4 % 3 : 4u),
+                               (uint16_t)(type ? 4u << kind / 4 % 3 : 4u),
+                               0,
+                               0};
+    mesh->texture_coordinates = (const int16_t(*)[2])(const void *)mesh->positions;
+    mesh->texture_offset[0] = INT32_MIN + (int32_t)kind * 30000;
+    mesh->texture_extent[0] = (3 + (int32_t)kind) * GLINT_ONE / 2;
+    mesh->texture_extent[1] = GLINT_ONE / 3 << kind % 6;
+    f->materials[0].texture = texture;
+    f->materials[0].flags |= kind / 2 % 4 * GLINT_MATERIAL_CLAMP;
+    texture->flags = (uint16_t)(kind % 3 ? 0 : GLINT_TEXTURE_HAS_KEY);
+    texture->key = type ? 7 : 0x07e0;
+}
+
+static uint32_t textures(void) {
+    uint32_t checksum = FIXTURE_CHECKSUM_START;
+    for (uint32_t i = 0; i < 24; i++) {
+        fixture *const f = fixture_begin();
+        glint_texture texture;
+        checksummed_set_up(5 * i + 1, f);
+        set_texture(f, i, &texture);
+        CHECK_EQUAL(fixture_render(f), GLINT_OK);
+        checksum = (checksum ^ fixture_checksum(f)) * 16777619u;
+    }
+    return checksum;
+}
+
 /* ---- Numbers ------------------------------------------------------------------------------------------------- */
 
 static uint32_t add_number(uint32_t checksum, uint32_t number) {
@@ -234,7 +279,8 @@ typedef struct entry {
     uint32_t (*compute)(void);
 } entry;
 
-static const entry entries[] = {{"elementary_functions", elementary_functions},
+static const entry entries[] = {{"textures", textures},
+                                {"elementary_functions", elementary_functions},
                                 {"unit_vectors", unit_vectors},
                                 {"poses", poses},
                                 {"cameras", cameras}};

@@ -129,3 +129,30 @@ void farthest_row_is_drawn(void) {
                 CHECK_AT_MOST(expected, pixels_of_far_row(formats[which], bits, row));
         }
 }
+
+/* A square whose corners' distance is just below a power of two, where rounding passes it, is as large as one nearer.
+ */
+static uint32_t pixels_of_square(int32_t distance) {
+    static const int16_t positions[4][3] = {
+        {-32768, -32768, -32768}, {32767, -32768, -32768}, {32767, 32767, -32768}, {-32768, 32767, -32768}};
+    static const int16_t normals[4][3] = {{0, 0, 32767}, {0, 0, 32767}, {0, 0, 32767}, {0, 0, 32767}};
+    static const uint16_t triangles[2][3] = {{0, 1, 2}, {0, 2, 3}};
+    fixture *f = begin_on_black(formats[0]);
+    f->floor.positions = positions;
+    f->floor.normals = normals;
+    f->floor.triangles = triangles;
+    f->floor.vertex_count = 4;
+    f->floor.triangle_count = 2;
+    f->floor.extent.x = f->floor.extent.y = 8 * GLINT_ONE;
+    f->floor.extent.z = 1001;
+    f->objects[0].mesh = &f->floor;
+    f->objects[0].pose = glint_pose_translate(0, 0, f->floor.extent.z - distance);
+    CHECK_EQUAL(fixture_render(f), GLINT_OK);
+    return count_covered(f);
+}
+
+void corners_below_a_power_of_two_stay(void) {
+    const uint32_t expected = pixels_of_square(16 * GLINT_ONE - 64);
+    CHECK(expected > 27 * 27 - 2 * 27);
+    CHECK_EQUAL(pixels_of_square(16 * GLINT_ONE - 1), expected);
+}

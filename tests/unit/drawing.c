@@ -6,14 +6,14 @@
 #include "unit.h"
 
 void status_sentences(void) {
-    for (int status = GLINT_OK; status >= GLINT_ERROR_STRIDE; status--) {
+    for (int status = GLINT_OK; status >= GLINT_ERROR_WIDTH; status--) {
         const char *sentence = glint_strerror(status);
         CHECK(sentence != 0 && sentence[0] != '\0');
         for (int other = GLINT_OK; other > status; other--)
             CHECK(sentence != glint_strerror(other));
         CHECK(sentence != glint_strerror(1));
     }
-    static const int none[] = {1, 2, GLINT_ERROR_STRIDE - 1, -1000000, INT32_MAX, INT32_MIN};
+    static const int none[] = {1, 2, GLINT_ERROR_WIDTH - 1, -1000000, INT32_MAX, INT32_MIN};
     for (unsigned i = 0; i < TEST_COUNT(none); i++) {
         const char *wanted = "unknown status";
         const char *sentence = glint_strerror(none[i]);

@@ -14,7 +14,11 @@
 
 /** Bytes of the screen and of the arena. */
 #define FIXTURE_SCREEN_BYTES (FIXTURE_WIDTH * FIXTURE_HEIGHT * 2)
-#define FIXTURE_ARENA_BYTES (sizeof(void *) > 4 ? 6768 : 6208) /* pointers take more on a host */
+#ifdef __OPTIMIZE_SIZE__
+#define FIXTURE_ARENA_BYTES (sizeof(void *) > 4 ? 8024 : 7252) /* pointers take more on a host */
+#else
+#define FIXTURE_ARENA_BYTES (sizeof(void *) > 4 ? 8280 : 7540)
+#endif
 
 #define FIXTURE_OBJECTS_MAX 3
 

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Layouts: errors are named, and what is drawn of a mesh in RAM, one struct a vertex, is what its arrays give. */
 #include "fixture.h"
+#include "glint_extras.h"
 #include "harness.h"
 #include "unit.h"
 

@@ -13,14 +13,17 @@ from qemu import Died, Machine, Tally
 COUNTED = ("-icount", "shift=0")
 
 
-def lines_of(qemu, machine_name, elf, options=()):
-    """What the firmware writes; Died when it does not end well. `options` are the emulator's own."""
+def lines_of(qemu, machine_name, elf, options=(), is_last=None):
+    """What the firmware writes, or up to a line that is the last one wanted; Died when it does not end well. `options` are the
+    emulator's own."""
     lines = []
     with Machine(qemu, machine_name, elf, options=COUNTED + tuple(options)) as machine:
         while True:
             line = machine.line()
             if line is None:
                 break
+            if is_last and lines and is_last(lines[-1]):  # all that belongs to it is written by now
+                return lines
             lines.append(line)
         status = machine.process.wait(60)
     if status:
@@ -28,11 +31,13 @@ def lines_of(qemu, machine_name, elf, options=()):
     return lines
 
 
-def counted_lines_of(qemu, machine_name, elf, plugin):
-    """The same, and what the plugin counted for each line of it."""
+def counted_lines_of(qemu, machine_name, elf, plugin, tables=None, is_last=None):
+    """The same, and what the plugin counted for each line of it: with words that are read where code lies if it knows where
+    `tables` do, (first address, end)."""
     with tempfile.NamedTemporaryFile() as file:
-        lines = lines_of(qemu, machine_name, elf, ("-plugin", "%s,out=%s" % (os.path.abspath(plugin), file.name)))
-        counted = read(file.name)
+        option = "%s,out=%s" % (os.path.abspath(plugin), file.name) + (",tables=%x:%x" % tables if tables else "")
+        lines = lines_of(qemu, machine_name, elf, ("-plugin", option), is_last)
+        counted = read(file.name)[:len(lines) if is_last else None]
     if len(lines) != len(counted):
         raise Died("%s: %d lines, %d of them counted" % (elf, len(lines), len(counted)))
     return lines, counted

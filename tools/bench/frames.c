@@ -26,6 +26,7 @@ typedef struct variant {
     int anew;    /* nothing is kept from frame to frame */
     int plain;   /* meshes without clusters */
     int share;   /* so many sixteenths of the arena between the least and that of one pass; 0: all that there is */
+    int samples; /* 2 x 2 a pixel */
 } variant;
 
 static const variant variants[] = {
@@ -36,7 +37,7 @@ static const variant variants[] = {
     {320, 240, GLINT_VIEWER_LOCAL, 32, 32, 0, 1},       {128, 64, GLINT_VIEWER_LOCAL, 64, 64, 0},
     {320, 240, GLINT_VIEWER_LOCAL, 32, 32, 0, 0, 1},    {128, 64, GLINT_VIEWER_LOCAL, 32, 32, 0, 0, 1},
     {320, 240, GLINT_VIEWER_LOCAL, 32, 32, .share = 8}, {320, 240, GLINT_VIEWER_LOCAL, 32, 32, .share = 4},
-    {320, 240, GLINT_VIEWER_LOCAL, 32, 32, .share = 1},
+    {320, 240, GLINT_VIEWER_LOCAL, 32, 32, .share = 1}, {320, 240, GLINT_VIEWER_LOCAL, 32, 32, .samples = 1},
 };
 
 static uint32_t arena[(1 << 20) / sizeof(uint32_t)];
@@ -93,7 +94,8 @@ static glint_status measure_variant(uint32_t which, const variant *v, measured *
                            .format = &glint_format_rgb565,
                            .keeps_arena = !v->anew,
                            .arena = arena,
-                           .arena_size = sizeof arena};
+                           .arena_size = sizeof arena,
+                           .samples = v->samples ? &glint_samples_2x2 : 0};
 
     if (v->plain) {
         mesh.clusters = 0;
@@ -121,6 +123,7 @@ static void report(const char *name, const variant *v, const measured *result) {
                                  : v->share == 8 ? " half,"
                                  : v->share == 4 ? " quarter,"
                                  : v->share      ? " sixteenth,"
+                                 : v->samples    ? " samples,"
                                                  : ",");
     measure_write(result, BENCH_FRAMES);
 }

@@ -9,6 +9,14 @@
 #include "measure.h"
 #include "workloads.h"
 
+#ifdef IS_BY_DEFAULT
+#include "../cost/shown.h"
+#define IS_COUNTED(number, drawn) cost_is_shown(drawn)
+#else
+#define IS_BY_DEFAULT 0
+#define IS_COUNTED(number, drawn) ((number) >= WORKLOADS_PLAIN)
+#endif
+
 /** The largest screen in the largest pixels. */
 enum { FRAMEBUFFER_BYTES = 320 * 240 * 3 };
 
@@ -42,7 +50,7 @@ static glint_config config_of(workload *drawn) {
                            .tile_width = 32,
                            .tile_height = 32,
                            .format = drawn->output->format,
-                           .keeps_arena = 1,
+                           .keeps_arena = !IS_BY_DEFAULT,
                            .arena = arena,
                            .arena_size = sizeof arena};
 
@@ -57,7 +65,7 @@ static glint_config config_of(workload *drawn) {
 
 /* @return 0, or 1 when it cannot be drawn */
 static int count(workload *drawn) {
-    const glint_config config = config_of(drawn);
+    glint_config config = config_of(drawn);
     char text[WORKLOAD_TEXT];
     measured result = {0};
     glint_renderer renderer;
@@ -70,6 +78,8 @@ static int count(workload *drawn) {
         board_write("no such variant\n");
         return 1;
     }
+    config.layers = stage.example.layers;
+    config.samples = stage.example.samples;
     for (uint32_t frame = 0; frame < drawn->frames; frame++) {
         workload_set_frame(&stage, frame);
         const glint_status status = measure_frame(&config, &stage.example.scene, frame == 0, &renderer, &result);
@@ -87,9 +97,10 @@ int main(void) {
     int failed = 0;
 
     counter_start();
-    for (uint32_t i = WORKLOADS_PLAIN; i < workload_count() && !failed; i++) {
+    for (uint32_t i = 0; i < workload_count() && !failed; i++) {
         workload drawn = workload_get(i);
-        failed = count(&drawn);
+        drawn.by_default = IS_BY_DEFAULT;
+        failed = IS_COUNTED(i, &drawn) && count(&drawn);
     }
     return failed;
 }

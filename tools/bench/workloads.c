@@ -171,6 +171,159 @@ static void unlit(workload_stage *stage) {
     material_of(stage)->model = &glint_model_unlit;
 }
 
+/* ---- Textures ---- */
+
+/* The integer part of the square root, bit by bit. */
+static uint32_t square_root(uint32_t square) {
+    uint32_t root = 0;
+    for (uint32_t bit = 1u << 15; bit; bit >>= 1) {
+        if ((root + bit) * (root + bit) <= square) {
+            root += bit;
+        }
+    }
+    return root;
+}
+
+/* A chequered texture of 64x64 with grain, the same each time. */
+static void wear_texture(workload_stage *stage) {
+    uint32_t grain = 1;
+
+    for (uint32_t i = 0; i < COUNT_OF(stage->texels); i++) {
+        const uint32_t is_light = (i / 8 ^ i / 512) & 1;
+        grain = grain * 1664525 + 1013904223;
+        stage->texels[i] = (uint16_t)((is_light ? 0xffe0 : 0x8410) ^ (grain >> 16 & 0x18e3));
+    }
+    stage->texture = (glint_texture){.type = &glint_texture_rgb565, .texels = stage->texels, .width = 64, .height = 64};
+    stage->mesh.texture_coordinates = (const int16_t(*)[2])stage->coordinates;
+    material_of(stage)->texture = &stage->texture;
+}
+
+/* x / (|x| + |y|), which goes from 1 to -1 and back around a circle, in steps. */
+static int16_t part_of_turn(int32_t x, int32_t y) {
+    const int32_t sum = (x < 0 ? -x : x) + (y < 0 ? -y : y);
+
+    return (int16_t)(sum ? 32767 * x / sum : 0);
+}
+
+/* Coordinates go there and back around the ring and around the tube, so that nothing is torn at a seam. */
+static void textured(workload_stage *stage) {
+    const int32_t ring = 32768 * 2 / 3; /* of radius 1, in steps of 1.5 / 32768 */
+
+    for (uint32_t i = 0; i < stage->mesh.vertex_count && i < COUNT_OF(stage->coordinates); i++) {
+        const int16_t *at = stage->mesh.positions[i];
+        const int32_t out = (int32_t)square_root((uint32_t)(at[0] * at[0]) + (uint32_t)(at[1] * at[1])) - ring;
+
+        stage->coordinates[i][0] = part_of_turn(at[0], at[1]);
+        stage->coordinates[i][1] = part_of_turn(out, at[2] / 3); /* steps of 0.5 / 32768 */
+    }
+    stage->mesh.texture_extent[0] = stage->mesh.texture_extent[1] = GLINT_Q16(0.25);
+    wear_texture(stage);
+}
+
+/* Texels as they are. */
+static void unlit_white(workload_stage *stage) {
+    unlit(stage);
+    material_of(stage)->diffuse = (glint_colour)GREY(1);
+}
+
+static void textured_unlit(workload_stage *stage) {
+    textured(stage);
+    unlit_white(stage);
+}
+
+/* Each four vertices are the corners of a square that shows the texture so many times. */
+static void wear_squares(workload_stage *stage, glint_q16 times) {
+    for (uint32_t i = 0; i < stage->mesh.vertex_count; i++) {
+        stage->coordinates[i][0] = i % 4 == 1 || i % 4 == 2 ? 32767 : 0;
+        stage->coordinates[i][1] = i % 4 < 2 ? 32767 : 0;
+    }
+    stage->mesh.texture_extent[0] = stage->mesh.texture_extent[1] = times;
+    stage->poses = stage->turned;
+    wear_texture(stage);
+}
+
+/* A cube whose half edge is 1. */
+static void crate(workload_stage *stage) {
+    const glint_q16 edge = GLINT_Q16(1.7321);
+
+    stage->mesh = *boxes_definitions[0].mesh;
+    stage->mesh.extent = (glint_vector){edge, edge, edge};
+    for (int32_t frame = 0; frame < BENCH_FRAMES; frame++) {
+        const glint_pose turned = glint_pose_rotate_y((30 + 6 * frame) * GLINT_ONE);
+        const glint_pose tilted = glint_pose_rotate_x(GLINT_Q16(25)),
+                         moved = glint_pose_translate(0, 0, GLINT_Q16(-2.9));
+        const glint_pose both = glint_pose_then(&turned, &tilted);
+
+        stage->turned[frame] = glint_pose_then(&both, &moved);
+    }
+    wear_squares(stage, GLINT_ONE);
+}
+
+static void crate_unlit(workload_stage *stage) {
+    crate(stage);
+    unlit_white(stage);
+}
+
+/* Two triangles, of which a part fills the screen. */
+static void ground(workload_stage *stage) {
+    static const int16_t positions[4][3] = {
+        {-32767, 0, 32767}, {32767, 0, 32767}, {32767, 0, -32767}, {-32767, 0, -32767}};
+    static const int16_t normals[4][3] = {{0, 32767, 0}, {0, 32767, 0}, {0, 32767, 0}, {0, 32767, 0}};
+    static const uint16_t triangles[2][3] = {{0, 1, 2}, {0, 2, 3}};
+    const glint_vector eye = XYZ(0, 1.5, 6), at = XYZ(0.2, 0, 2);
+
+    stage->mesh = (glint_mesh){.positions = positions,
+                               .normals = normals,
+                               .triangles = triangles,
+                               .vertex_count = 4,
+                               .triangle_count = 2,
+                               .extent = XYZ(20, 0, 20)};
+    stage_look(&stage->example, eye, at, BENCH_FIELD_OF_VIEW);
+    stage->example.scene.camera.near_plane = GLINT_Q16(0.1);
+    for (int32_t frame = 0; frame < BENCH_FRAMES; frame++) {
+        stage->turned[frame] = glint_pose_rotate_y((10 + 8 * frame) * GLINT_ONE);
+    }
+    wear_squares(stage, GLINT_Q16(10));
+}
+
+static void ground_unlit(workload_stage *stage) {
+    ground(stage);
+    unlit_white(stage);
+}
+
+/* ---- Layers, fog and samples ---- */
+
+static void blend(workload_stage *stage, glint_blend how) {
+    material_of(stage)->blend = how;
+    material_of(stage)->opacity = GLINT_Q16(0.5);
+    stage->example.layers = &glint_layers;
+}
+
+static void opacity(workload_stage *stage) {
+    blend(stage, GLINT_BLEND_ALPHA);
+}
+
+static void added(workload_stage *stage) {
+    blend(stage, GLINT_BLEND_ADD);
+}
+
+static void opacity_dithered(workload_stage *stage) {
+    blend(stage, GLINT_BLEND_DITHERED);
+}
+
+static void fog(workload_stage *stage) {
+    stage_fog(&stage->example, &glint_fog_linear, GLINT_Q16(2.5), GLINT_Q16(5.5), (glint_colour)GREY(0.25));
+}
+
+static void fog_squared(workload_stage *stage) {
+    fog(stage);
+    stage->example.fog.type = &glint_fog_squared;
+}
+
+static void samples(workload_stage *stage) {
+    stage->example.samples = &glint_samples_2x2;
+}
+
 static void exponent_8(workload_stage *stage) {
     material_of(stage)->shininess = GLINT_Q16(8);
 }
@@ -187,6 +340,7 @@ static const struct {
     const char *name;
     workload_change change;
 } looks[] = {
+    /* WORKLOADS_LIGHTS - 1 of them: the scene as it is has one directional light */
     {"2 directional", two_directional},
     {"4 directional", four_directional},
     {"8 directional", eight_directional},
@@ -211,11 +365,34 @@ static const struct {
     {"p 256", exponent_256},
     {"second light black", second_black},
     {"no highlight", no_highlight},
+    {"textured", textured},
+    {"textured unlit", textured_unlit},
+    {"opacity", opacity},
+    {"added", added},
+    {"opacity dithered", opacity_dithered},
+    {"fog", fog},
+    {"fog squared", fog_squared},
+    {"2x2 samples", samples},
+};
+
+static const workload_output rgb565 = {"", &glint_format_rgb565, 0, 0},
+                             rgb565_dithered = {"rgb565 dithered", &glint_format_rgb565_dithered, 0, 0};
+
+/* What replaces the torus, and a look in another format. */
+static const struct {
+    const char *scene;
+    const char *look;
+    workload_change change;
+    const workload_output *output;
+} others[] = {
+    {"crate", "textured", crate, &rgb565},
+    {"crate", "textured unlit", crate_unlit, &rgb565},
+    {"floor", "textured", ground, &rgb565},
+    {"floor", "textured unlit", ground_unlit, &rgb565},
+    {"torus576", "2x2 samples", samples, &rgb565_dithered},
 };
 
 /* ---- Formats ---- */
-
-static const workload_output rgb565 = {"", &glint_format_rgb565, 0, 0};
 
 static const workload_output outputs[] = {
     {"rgb565 tables", &glint_format_rgb565, 0, 1},
@@ -235,17 +412,6 @@ static const workload_output outputs[] = {
     {"mono_pages", &glint_format_mono_pages, 1, 0},
     {"mono_pages dithered", &glint_format_mono_pages_dithered, 1, 0},
 };
-
-/* The integer part of the square root, bit by bit. */
-static uint32_t square_root(uint32_t square) {
-    uint32_t root = 0;
-    for (uint32_t bit = 1u << 15; bit; bit >>= 1) {
-        if ((root + bit) * (root + bit) <= square) {
-            root += bit;
-        }
-    }
-    return root;
-}
 
 void workload_gamma(uint16_t tables[3][GLINT_GAMMA_ENTRIES]) {
     for (uint32_t i = 0; i < GLINT_GAMMA_ENTRIES; i++) {
@@ -302,6 +468,8 @@ static const struct {
     {&example_surfaces, "exponents"},
     {&example_surfaces, "twice-near"},
     {&example_surfaces, "twice-far"},
+    {&example_still_life, "turning"},
+    {&example_still_life, "dusk"},
 };
 
 static int same_text(const char *a, const char *b) {
@@ -331,6 +499,7 @@ enum {
     SIZES = COUNT_OF(sizes),
     LOOKS = SIZES * COUNT_OF(looks),
     OUTPUTS = 2 * COUNT_OF(outputs), /* lit and unlit */
+    OTHERS = COUNT_OF(others),
     EXAMPLES = COUNT_OF(examples)
 };
 
@@ -338,7 +507,7 @@ enum {
 enum { BOX_LOOKS = 3, BOXES = BOX_LOOKS * BOXES_SCENES };
 
 uint32_t workload_count(void) {
-    return WORKLOADS_PLAIN + LOOKS + OUTPUTS + BOXES + EXAMPLES;
+    return WORKLOADS_PLAIN + LOOKS + OUTPUTS + BOXES + OTHERS + EXAMPLES;
 }
 
 static workload bench_workload(uint32_t bench, const uint16_t size[2]) {
@@ -390,6 +559,16 @@ static workload boxes_workload(uint32_t number) {
     return drawn;
 }
 
+static workload other_workload(uint32_t number) {
+    workload drawn = bench_workload(TORUS576, sizes[0]);
+
+    drawn.scene = others[number].scene;
+    drawn.look = others[number].look;
+    drawn.change = others[number].change;
+    drawn.output = others[number].output;
+    return drawn;
+}
+
 static workload example_workload(uint32_t number) {
     const example_scene *scene = examples[number].scene;
     const workload drawn = {.scene = scene->name,
@@ -421,7 +600,15 @@ workload workload_get(uint32_t number) {
     if (number < BOXES) {
         return boxes_workload(number);
     }
-    return example_workload(number - BOXES);
+    number -= BOXES;
+    if (number < OTHERS) {
+        return other_workload(number);
+    }
+    return example_workload(number - OTHERS);
+}
+
+workload workload_get_lights(uint32_t number) {
+    return number == 0 ? bench_workload(TORUS576, sizes[0]) : look_workload((number - 1) * SIZES);
 }
 
 /* Boxes in place of the scene's object, of its material. */
@@ -462,7 +649,19 @@ int workload_build(workload_stage *stage, const workload *built) {
         return build_example(stage, built);
     }
     build_bench(stage, built);
+    if (built->by_default) {
+        stage->example.scene.viewer = GLINT_VIEWER_INFINITE;
+    }
     return 0;
+}
+
+int workload_is_bare(const workload_stage *stage) {
+    const example_stage *example = &stage->example;
+    int is_bare = !example->scene.fog && !example->layers && !example->samples;
+    for (uint32_t i = 0; i < example->scene.object_count; i++) {
+        is_bare &= example->scene.objects[i].material->texture == 0;
+    }
+    return is_bare;
 }
 
 void workload_set_frame(workload_stage *stage, uint32_t frame) {
@@ -488,7 +687,7 @@ const char *workload_variant(const workload *named, char text[WORKLOAD_TEXT]) {
     append(text, &length, text_number(digits, named->width));
     append(text, &length, "x");
     append(text, &length, text_number(digits, named->height));
-    append(text, &length, " local 32x32");
+    append(text, &length, named->by_default ? " infinite 32x32 anew" : " local 32x32");
     append(text, &length, *named->look ? " " : "");
     append(text, &length, named->look);
     append(text, &length, *named->output->name ? " " : "");

@@ -10,7 +10,8 @@
  *         workload_build(&stage, &drawn);
  *         for (uint32_t frame = 0; frame < drawn.frames; frame++) {
  *             workload_set_frame(&stage, frame);
- *             draw stage.example.scene, drawn.width by drawn.height, in drawn.output->format
+ *             draw stage.example.scene, drawn.width by drawn.height, in drawn.output->format, with the stage.example's
+ *             layers and samples
  *         }
  *     }
  */
@@ -26,11 +27,18 @@
 /** The first ones are benchmark scenes as they are, which frames.c draws in more ways. */
 #define WORKLOADS_PLAIN 8
 
+/** The torus of 576 triangles at 320x240 under 1, 2, 4 and 8 directional lights, points and spots. */
+#define WORKLOADS_LIGHTS 12
+
 /** What a workload is built in; owned by the caller, and not to be moved while it is drawn. */
 typedef struct workload_stage {
     example_stage example;
     glint_mesh mesh;
-    uint8_t colours[288][3];                /**< The vertices of torus576. */
+    uint8_t colours[288][3];     /**< The vertices of torus576; */
+    int16_t coordinates[288][2]; /**< what they show of a texture, */
+    uint16_t texels[64 * 64];    /**< and its texels. */
+    glint_texture texture;
+    glint_pose turned[10];                  /**< What stands in place of the torus, in each frame. */
     glint_mesh meshes[EXAMPLE_OBJECTS_MAX]; /**< An example's, without colours. */
     const glint_pose *poses;                /**< Of a benchmark scene's frames, or null. */
     const boxes_definition *boxes;          /**< Or null. */
@@ -59,6 +67,7 @@ typedef struct workload {
     const boxes_definition *boxes; /**< or null. Else a benchmark scene: */
     uint32_t bench;                /**< that of so many, */
     workload_change change;        /**< either changed, or null. */
+    uint8_t by_default;            /**< Not 0: with an infinite viewer, as a scene has it that names none. */
 } workload;
 
 uint32_t workload_count(void);
@@ -66,8 +75,14 @@ uint32_t workload_count(void);
 /** That number `number`, below workload_count. */
 workload workload_get(uint32_t number);
 
+/** Number `number` of those that differ in lights alone, below WORKLOADS_LIGHTS; workload_get has them too. */
+workload workload_get_lights(uint32_t number);
+
 /** Builds its first frame in `stage`. @return 0, or 1 where the example scene has no such variant */
 int workload_build(workload_stage *stage, const workload *built);
+
+/** Returns whether what was built has no texture, no fog, no layers and no samples. */
+int workload_is_bare(const workload_stage *stage);
 
 /** Makes it frame number `frame`. */
 void workload_set_frame(workload_stage *stage, uint32_t frame);

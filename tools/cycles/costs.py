@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Cycles that a core would take for instructions counted by plugin.c, as its manual documents them.
 
-Memory without wait states. Where the manual gives a range, its middle: of a pipeline's refill, of long products and of
+Memory without wait states, but for waits(). Where the manual gives a range, its middle: of a pipeline's refill, of long products and of
 divisions. Left out: waiting for an address that the instruction before computes, contention between fetches and
 accesses, caches, integer instructions that are done while a float division is. Skipped instructions of an IT block count as if they were executed.
 
@@ -30,6 +30,11 @@ CORES = {
 }
 
 
+# Fetches are words (0432C, 0484C: 3.1), and an instruction is fetched while the two before it are decoded and executed, the one
+# before it on a Cortex-M0+ (two stages): what is fetched behind a branch that is taken is for nothing.
+_AHEAD = {"m0": "code_ahead", "m0+": "code_ahead_of_word"}
+
+
 def read(path):
     """Counts by name of each line that the plugin wrote."""
     with open(path) as file:
@@ -41,6 +46,8 @@ def cycles(counts, core):
     others, taken_ones = CORES[core]
     total = Fraction(0)
     for name, count in counts.items():
+        if name.startswith("code_"):
+            continue
         if name.endswith("_words"):
             total += count
         elif name.endswith("_taken"):
@@ -52,4 +59,11 @@ def cycles(counts, core):
 
 
 def instructions(counts):
-    return sum(count for name, count in counts.items() if not name.endswith(("_words", "_taken")))
+    return sum(count for name, count in counts.items() if not name.startswith("code_") and not name.endswith(("_words", "_taken")))
+
+
+def waits(counts, core, code=1, tables=1, data=1):
+    """Cycles more of a core with neither cache nor prefetch buffer, where words of each are read with so many wait states.
+    Every one is waited for: at most that many, as long instructions may hide some."""
+    words = counts["code_words"] + counts[_AHEAD[core]] + counts["code_literals"]
+    return code * words + tables * counts["code_tables"] + data * counts["code_data"]

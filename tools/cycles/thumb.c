@@ -1,8 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "thumb.h"
 
-enum { PC = 15 };
-
 static thumb_instruction of_kind(thumb_kind kind) {
     return (thumb_instruction){.kind = kind, .base = THUMB_NONE, .index = THUMB_NONE, .target = THUMB_NONE};
 }
@@ -15,7 +13,7 @@ static thumb_instruction of_several(thumb_kind kind, int registers) {
 }
 
 static thumb_instruction of_load(int target, int base, int index) {
-    thumb_instruction decoded = of_kind(target == PC ? THUMB_load_jump : THUMB_load);
+    thumb_instruction decoded = of_kind(target == THUMB_PC ? THUMB_load_jump : THUMB_load);
 
     decoded.target = target;
     decoded.base = base;
@@ -46,7 +44,7 @@ static thumb_kind high_registers(unsigned code) {
     const unsigned operation = code >> 8 & 3;
     const unsigned target = (code >> 4 & 8) | (code & 7);
 
-    return operation == 3 || (operation != 1 && target == PC) ? THUMB_jump : THUMB_plain;
+    return operation == 3 || (operation != 1 && target == THUMB_PC) ? THUMB_jump : THUMB_plain;
 }
 
 static thumb_instruction miscellaneous(unsigned code) {
@@ -69,7 +67,7 @@ static thumb_instruction decode_16(unsigned code) {
             return of_kind(THUMB_multiply);
         if ((code & 0xfc00) == 0x4400)
             return of_kind(high_registers(code));
-        return code & 0x800 ? of_load(high, PC, THUMB_NONE) : of_kind(THUMB_plain);
+        return code & 0x800 ? of_load(high, THUMB_PC, THUMB_NONE) : of_kind(THUMB_plain);
     case 5:
         return (code >> 9 & 7) >= 3 ? of_load(low, next, third) : of_store(next, third);
     case 6:
@@ -98,7 +96,7 @@ static thumb_instruction several_32(unsigned first, unsigned second) {
     const int loads = first >> 4 & 1;
 
     if (!(first & 0x40))
-        return of_several(loads && second >> PC ? THUMB_multiple_jump : THUMB_multiple, bits_set(second));
+        return of_several(loads && second >> THUMB_PC ? THUMB_multiple_jump : THUMB_multiple, bits_set(second));
     if ((first & 0xfff0) == 0xe8d0 && (second & 0xffe0) == 0xf000)
         return of_kind(THUMB_table);
     return of_several(THUMB_multiple, 2);
@@ -107,7 +105,7 @@ static thumb_instruction several_32(unsigned first, unsigned second) {
 static thumb_instruction single_32(unsigned first, unsigned second) {
     const int base = (int)(first & 15), target = (int)(second >> 12);
     /* Neither a constant of 12 bits, nor of 8, nor the program counter: a register. */
-    const int is_indexed = !(first & 0x80) && base != PC && !(second & 0x800);
+    const int is_indexed = !(first & 0x80) && base != THUMB_PC && !(second & 0x800);
     const int index = is_indexed ? (int)(second & 15) : THUMB_NONE;
 
     return first & 0x10 ? of_load(target, base, index) : of_store(base, index);

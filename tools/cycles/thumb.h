@@ -44,6 +44,8 @@ typedef enum thumb_kind { THUMB_KINDS(THUMB_NAME_KIND) THUMB_KIND_COUNT } thumb_
 
 /** No register. */
 #define THUMB_NONE 16
+/** Program counter, which literals are loaded at. */
+#define THUMB_PC 15
 
 typedef struct thumb_instruction {
     thumb_kind kind;

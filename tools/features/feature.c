@@ -54,6 +54,15 @@
 #ifndef FEATURE_LIGHTS
 #define FEATURE_LIGHTS 1
 #endif
+#ifndef FEATURE_BLEND
+#define FEATURE_BLEND GLINT_BLEND_NONE
+#endif
+#ifndef FEATURE_LAYERS
+#define FEATURE_LAYERS 0
+#endif
+#ifndef FEATURE_SAMPLES
+#define FEATURE_SAMPLES 0
+#endif
 /* A function that is named and not called while instructions are counted. */
 #ifndef FEATURE_FUNCTION
 #define FEATURE_FUNCTION 0
@@ -87,12 +96,9 @@ const glint_mesh feature_plain_mesh = {.positions = torus576_positions,
  * of 8 bits do not reach all vertices: that mesh is linked and not drawn. */
 enum { TRIANGLES = sizeof torus576_triangles / sizeof torus576_triangles[0] };
 static int8_t small_positions[VERTICES][3], small_normals[VERTICES][2];
-static int16_t octahedral_normals[VERTICES][2];
 static uint8_t small_triangles[TRIANGLES][3];
 static const glint_mesh_layout positions_layout = {.positions = {&glint_attribute_int8, small_positions, 0}};
 static const glint_mesh_layout octahedral8_layout = {.normals = {&glint_attribute_octahedral8, small_normals, 0}};
-static const glint_mesh_layout octahedral16_layout = {
-    .normals = {&glint_attribute_octahedral16, octahedral_normals, 0}};
 static const glint_mesh_layout indices_layout = {.triangles = {&glint_attribute_uint8, small_triangles, 0}};
 
 #define SMALLER_MESH(name, positions_or_null, normals_or_null, triangles_or_null, of)    \
@@ -106,8 +112,27 @@ static const glint_mesh_layout indices_layout = {.triangles = {&glint_attribute_
                              .layout = &(of)}
 SMALLER_MESH(feature_positions8_mesh, 0, torus576_normals, torus576_triangles, positions_layout);
 SMALLER_MESH(feature_octahedral8_mesh, torus576_positions, 0, torus576_triangles, octahedral8_layout);
-SMALLER_MESH(feature_octahedral16_mesh, torus576_positions, 0, torus576_triangles, octahedral16_layout);
 SMALLER_MESH(feature_indices8_mesh, torus576_positions, torus576_normals, 0, indices_layout);
+
+/* Every vertex shows the place of a texture of 64x64 that lies before it; both are filled as the program starts. */
+static int16_t coordinates[VERTICES][2];
+static uint16_t texels[64 * 64], palette[256];
+#ifdef FEATURE_TEXTURE
+static const glint_texture feature_texture = {
+    .type = &FEATURE_TEXTURE, .texels = texels, .palette = palette, .width = 64, .height = 64};
+#define FEATURE_TEXTURE_POINTER &feature_texture
+#else
+#define FEATURE_TEXTURE_POINTER 0
+#endif
+
+/* From before the torus to behind it. */
+#ifdef FEATURE_FOG
+static const glint_fog feature_fog = {
+    .type = &FEATURE_FOG, .colour = GLINT_COLOUR(0.25, 0.25, 0.25), .start = GLINT_Q16(2.5), .end = GLINT_Q16(5.5)};
+#define FEATURE_FOG_POINTER &feature_fog
+#else
+#define FEATURE_FOG_POINTER 0
+#endif
 
 /* Every output goes through a table; what it holds is no matter. */
 extern const uint16_t feature_gamma[3][GLINT_GAMMA_ENTRIES];
@@ -144,6 +169,19 @@ static void set_colours(void) {
     }
 }
 
+static void set_texture(void) {
+    for (unsigned i = 0; i < VERTICES; i++) {
+        coordinates[i][0] = torus576_positions[i][0];
+        coordinates[i][1] = torus576_positions[i][1];
+    }
+    for (unsigned i = 0; i < sizeof texels / sizeof texels[0]; i++) {
+        texels[i] = (uint16_t)(40503 * i);
+    }
+    for (unsigned i = 0; i < sizeof palette / sizeof palette[0]; i++) {
+        palette[i] = (uint16_t)(40503 * i);
+    }
+}
+
 static int32_t magnitude(int32_t x) {
     return x < 0 ? -x : x;
 }
@@ -166,7 +204,6 @@ static void set_smaller(void) {
         for (unsigned axis = 0; axis < 3; axis++) {
             small_positions[i][axis] = (int8_t)(torus576_positions[i][axis] / 256);
         }
-        encode(torus576_normals[i], 32767, octahedral_normals[i]);
         encode(torus576_normals[i], 127, code);
         small_normals[i][0] = (int8_t)code[0];
         small_normals[i][1] = (int8_t)code[1];
@@ -197,6 +234,8 @@ static void set_config(glint_config *config, const uint16_t size[2]) {
     config->flush.begin = copy_tile;
     config->flush.context = config;
     config->gamma = FEATURE_GAMMA;
+    config->layers = FEATURE_LAYERS;
+    config->samples = FEATURE_SAMPLES;
 }
 
 static void set_camera(glint_camera *camera) {
@@ -243,18 +282,28 @@ int main(void) {
                          .lights = lights,
                          .light_count = FEATURE_LIGHTS,
                          .objects = &object,
-                         .object_count = 1};
+                         .object_count = 1,
+                         .fog = FEATURE_FOG_POINTER};
     int failed = 0;
 
     mesh.flags = FEATURE_MESH_FLAGS;
     mesh.colours = (const uint8_t(*)[3])FEATURE_COLOURS;
     mesh.colours565 = FEATURE_COLOURS565;
+    material.texture = FEATURE_TEXTURE_POINTER;
+    if (material.texture) {
+        mesh.texture_coordinates = (const int16_t(*)[2])coordinates;
+        mesh.texture_extent[0] = mesh.texture_extent[1] = GLINT_ONE;
+        material.diffuse = (glint_colour){GLINT_ONE, GLINT_ONE, GLINT_ONE};
+    }
     material.model = &FEATURE_MODEL;
     material.flags = FEATURE_MATERIAL_FLAGS;
+    material.blend = FEATURE_BLEND;
+    material.opacity = GLINT_ONE / 2;
     feature_named = (feature_function *)FEATURE_FUNCTION;
     (void)feature_base[0];
     set_colours();
     set_smaller();
+    set_texture();
     set_lights(lights);
     set_camera(&scene.camera);
     counter_start();

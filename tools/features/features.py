@@ -48,13 +48,11 @@ GROUPS = (
     ("Meshes, in place of one in clusters", (
         ("no clusters", {"MESH": "feature_plain_mesh"}),
         ("no clusters, positions in int8", {"MESH": "feature_positions8_mesh"}),
-        ("no clusters, octahedral normals, two int8", {"MESH": "feature_octahedral8_mesh"}),
-        ("no clusters, octahedral normals, two int16", {"MESH": "feature_octahedral16_mesh"}),
+        ("no clusters, octahedral normals, int8", {"MESH": "feature_octahedral8_mesh"}),
         ("no clusters, indices of 8 bits, not drawn", {"MESH": "feature_indices8_mesh"}))),
     ("Formats, in place of RGB565", (
         ("RGB565, dithered", {"FORMAT": "glint_format_rgb565_dithered"}),
         ("RGB565, high byte first", {"FORMAT": "glint_format_rgb565_be"}),
-        ("RGB565, high byte first, dithered", {"FORMAT": "glint_format_rgb565_be_dithered"}),
         ("RGB888", {"FORMAT": "glint_format_rgb888"}),
         ("RGB888, dithered", {"FORMAT": "glint_format_rgb888_dithered"}),
         ("8-bit grey", {"FORMAT": "glint_format_grey8"}),
@@ -67,6 +65,17 @@ GROUPS = (
         ("1 bit, dithered", {"FORMAT": "glint_format_mono_dithered"}),
         ("1 bit in pages", {"FORMAT": "glint_format_mono_pages"}),
         ("1 bit in pages, dithered", {"FORMAT": "glint_format_mono_pages_dithered"}))),
+    ("Textures of 64x64, in place of one colour", (
+        ("RGB565 texels", {"TEXTURE": "glint_texture_rgb565"}),
+        ("texels of 16 colours", {"TEXTURE": "glint_texture_palette16"}),
+        ("texels of 16 colours, bilinear", {"TEXTURE": "glint_texture_palette16", "MATERIAL_FLAGS": "GLINT_MATERIAL_BILINEAR"}),
+        ("RGB565 texels, unlit", {"TEXTURE": "glint_texture_rgb565", "MODEL": "glint_model_unlit", "EVALUATION_POINTER": "0"}))),
+    ("What is not opaque, fog, smooth edges", (
+        ("opacity", {"BLEND": "GLINT_BLEND_ALPHA", "LAYERS": "&glint_layers"}),
+        ("added", {"BLEND": "GLINT_BLEND_ADD", "LAYERS": "&glint_layers"}),
+        ("opacity, dithered", {"BLEND": "GLINT_BLEND_DITHERED", "LAYERS": "&glint_layers"}),
+        ("fog", {"FOG": "glint_fog_linear"}),
+        ("2x2 samples", {"SAMPLES": "&glint_samples_2x2"}))),
     ("Options", (
         ("local viewer", {"VIEWER": "GLINT_VIEWER_LOCAL"}),
         ("colours in the mesh, 888", {"COLOURS": "feature_colours"}),
@@ -77,8 +86,7 @@ GROUPS = (
         ("gamma tables", {"GAMMA": "feature_gamma"}))),
     ("Functions, not called while instructions are counted", tuple(
         ("`glint_%s`" % name, {"FUNCTION": "glint_" + name})
-        for name in ("generate_torus", "generate_sphere", "generate_cylinder", "generate_cone", "generate_plane",
-                     "generate_box", "arena_need", "camera_look_at", "strerror", "material_paint", "pose_rotate_x",
+        for name in ("generate_torus", "generate_plane", "arena_need", "camera_look_at", "strerror", "material_paint", "pose_rotate_x",
                      "pose_then"))),
 )
 
@@ -90,10 +98,11 @@ COLUMNS = ("feature", "core", "level", "flash", "flash_beside_base", "instructio
 PLAIN, SMALLER, NOT_DRAWN = "no clusters", "no clusters, ", "not drawn"
 
 # Files of the library of which a scene links nothing, as it names nothing that they are for.
+TEXTURE = ("textured", "map", "texels")
 SUNS = ("sun_setup", "sun_lists", "sun_fine", "sun_spans", "sun_small", "ramps")
 PER_FRAGMENT = ("lamps", "cells", "reflect", "arrive", "suns", "sun_vectors") + SUNS
 PER_CORNER = ("corners", "reach")
-LEFT_OUT = {"": PER_CORNER, "Lambert": PER_CORNER + ("power",), "unlit": PER_FRAGMENT + PER_CORNER + ("draw", "power"),
+LEFT_OUT = {"": PER_CORNER + TEXTURE, "Lambert": PER_CORNER + ("power",), "unlit": PER_FRAGMENT + PER_CORNER + ("draw", "power"),
             "per vertex": PER_FRAGMENT, "per facet": PER_FRAGMENT, "point": SUNS + PER_CORNER, "spot": SUNS + PER_CORNER}
 
 # What stands in place of something that the base names; firmware that has both takes more flash.

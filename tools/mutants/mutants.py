@@ -4,10 +4,11 @@
 
 A mutant changes one place of a function's body in src/ or port/panel/: a comparison, a number, a shift, an operator, a
 condition that always goes one way, a statement that is left out. The seed puts all mutants in an order, and the first
-COUNT are judged of those that compile into other programs. `make` builds each mutant in a copy of the work tree, and each
-suite whose program differs runs, quick ones first, until one fails, crashes, or takes far longer than with the library
-itself. results.csv keeps what was found: the next call with the same sources and tests goes on from there. known.csv lists
-survivors with the reason why nothing can notice them; any other survivor makes the exit status 1.
+COUNT are judged of those that compile into other code. A mutant stands in a copy of the work tree, where `make` renews the
+objects that depend on it. Suites under sanitizers are linked and run, quick ones first, until one fails, ends with a report,
+crashes, or takes far longer than with the library itself. results.csv keeps what was found: the next call with the same
+sources and tests goes on from there. known.csv lists survivors with the reason why nothing can notice them; any other
+survivor makes the exit status 1, unless so many are let through, and so does a row that no mutant has.
 """
 
 import argparse
@@ -15,21 +16,24 @@ import collections
 import csv
 import glob
 import hashlib
+import math
 import os
 import queue
 import re
+import resource
 import shutil
+import signal
 import subprocess
 import sys
+import tempfile
 import threading
-import time
 from concurrent.futures import ThreadPoolExecutor
 
 # ---- Changes --------------------------------------------------------------------------------------------------------
 
 Mutant = collections.namedtuple("Mutant", "file line start end text before after")
 
-HIDDEN = re.compile(r"""//[^\n]*|/\*.*?\*/|"(?:\\.|[^"\\\n])*"|'(?:\\.|[^'\\\n])*'|^[ \t]*\#(?:\\\n|[^\n])*""", re.S | re.M)
+HIDDEN = re.compile(r"""//[^\n]*|/\*.*?\*/|"(?:\\.|[^"\\\n])*"|'(?:\\.|[^'\\\n])*'|^[ \t]*\#(?:\\\n|[^\n])*|\bGLINT_REQUIRE\(.*?\);""", re.S | re.M)
 # clang-format closes a function at the start of a line.
 BODY = re.compile(r"^\S[^;={}]*\)\s*\{\n(?P<body>.*?)^\}", re.S | re.M)
 
@@ -90,31 +94,38 @@ def in_order(mutants, seed):
 
 # ---- Building and running -------------------------------------------------------------------------------------------
 
-# How long a suite may take: so many seconds, and so many times what it takes with the library itself.
-LEAST_SECONDS, MOST_TIMES = 5, 10
-# Lines are not known to programs, so that those differ only where code does. Mutants may leave what nothing uses.
-MAKE = ("make", "-s", "WARNINGS=-w", "LIBRARY_WARNINGS=-w", "DEBUG=", "TEST_SEED=1", "BUILD=build")
+# How long a suite may compute: so many seconds, and so many times as long as with the library itself.
+LEAST_SECONDS, MOST_TIMES = 1, 5
+# Mutants may leave what nothing uses.
+MAKE = ("make", "-s", "WARNINGS=-w", "LIBRARY_WARNINGS=-w", "TEST_SEED=1")
+# Without sanitizers and lines objects differ only where code does.
+PLAIN = "gcc -std=c99 -O2 -w -Isrc -Iport -c -o".split()
 FAILED_CHECK = re.compile(rb"[\w./-]+:\d+: ")
+REPORT = re.compile(rb"runtime error: |ERROR: AddressSanitizer")
+# What suites take samples of.
+SUITE_ENVIRONMENT = {**os.environ, "GLINT_SAMPLE": "8"}
 
 
-def build(folder, programs):
-    """@return whether all programs are built"""
+def make(folder, build, *targets):
+    """@return whether make makes all targets of a work tree, whose folder of what is built is `build`"""
     variables = {name: value for name, value in os.environ.items() if name not in ("MAKEFLAGS", "MFLAGS", "MAKELEVEL")}
-    return subprocess.run([*MAKE, "-C", folder, *programs], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, env=variables,
+    return subprocess.run([*MAKE, "-C", folder, f"BUILD={build}", *targets], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, env=variables,
                           check=False).returncode == 0
 
 
-def passes(folder, program, seconds=None):
-    """Runs a suite up to its first failed check. @return whether all checks pass in time"""
-    with subprocess.Popen([program], cwd=folder, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL) as process:
-        timer = threading.Timer(seconds or 1e6, process.kill)
-        timer.start()
-        failed = any(FAILED_CHECK.match(line) for line in process.stdout)
-        if failed:
-            process.kill()
-        status = process.wait()
-        timer.cancel()
-    return not failed and status == 0
+def run_suite(folder, program, seconds=None):
+    """Runs a suite up to its first failed check or report. @return what it found, "" or a word, and its seconds"""
+    with subprocess.Popen([os.path.abspath(os.path.join(folder, program))], cwd=folder, stdout=subprocess.PIPE,
+                          stderr=subprocess.STDOUT, env=SUITE_ENVIRONMENT) as process:
+        if seconds:
+            resource.prlimit(process.pid, resource.RLIMIT_CPU, (seconds, seconds))
+        found = next((word for line in process.stdout for word in
+                      (REPORT.search(line) and "sanitizers", FAILED_CHECK.match(line) and "check") if word), "")
+        if found:
+            os.kill(process.pid, signal.SIGKILL)  # which leaves it to be waited for, as process.kill() may not
+        _, status, usage = os.wait4(process.pid, 0)
+        process.returncode = os.waitstatus_to_exitcode(status)
+    return found or ("crash or time" if process.returncode else ""), usage.ru_utime + usage.ru_stime
 
 
 def digest(paths, names=()):
@@ -126,63 +137,81 @@ def digest(paths, names=()):
 
 
 class Judge:
-    """A copy of the work tree in which all suites are built and timed; mutants are built in copies of that copy."""
+    """Copies of the work tree with what is built of it. A mutant is put into one, where make renews what depends on it."""
 
-    def __init__(self, folder, suites, stamp, jobs):
-        """@param suites {folder of what they judge: programs}"""
-        self.original, self.suites, self.seconds = os.path.abspath(os.path.join(folder, "original")), suites, {}
-        self.folders = queue.Queue()
+    def __init__(self, build, variant, suites, jobs):
+        """@param build folder of make, in the work tree @param suites {folder of what they judge: programs, quick ones first}"""
+        self.build, self.variant, self.suites = build, os.path.join(build, variant), suites
+        self.seconds, self.timing = {}, threading.Lock()
+        self.library = os.path.join(self.variant, "libglint.a")
+        self.trees = queue.Queue()
         for i in range(jobs):
-            self.folders.put(os.path.abspath(os.path.join(folder, f"mutant{i}")))
-        programs = [program for some in suites.values() for program in some]
-        times = os.path.join(folder, "seconds-%s.csv" % stamp)
-        if not os.path.exists(times):
-            self.prepare(programs, times, jobs)
-        with open(times, newline="", encoding="utf-8") as file:
-            self.seconds = {program: float(seconds) for program, seconds in csv.reader(file)}
-        self.programs = {program: digest_of_program(self.original, program) for program in programs}
+            tree = os.path.abspath(os.path.join(build, "mutants", f"tree{i}"))
+            shutil.rmtree(tree, ignore_errors=True)
+            shutil.copytree(".", tree, symlinks=True,
+                            ignore=lambda folder, _: (build.split("/")[0], ".git", "docs") if folder == "." else ())
+            for part in (variant, "bench", f"tests/{variant}"):
+                shutil.copytree(os.path.join(build, part), os.path.join(tree, build, part), symlinks=True)
+            self.trees.put(tree)
+        self.objects = collections.defaultdict(set)
+        for path in glob.glob(self.variant + "/**/*.d", recursive=True):
+            with open(path, encoding="utf-8") as file:
+                for name in file.read().split(":", 1)[1].replace("\\\n", " ").split("\n")[0].split():
+                    self.objects[os.path.normpath(name)].add(path[:-len("d")] + "o")
 
-    def prepare(self, programs, times, jobs):
-        shutil.rmtree(self.original, ignore_errors=True)
-        shutil.copytree(".", self.original, symlinks=True, ignore=lambda folder, _: ("build", ".git", "docs") if folder == "." else ())
-        if not build(self.original, [f"-j{jobs}", *programs]):
-            sys.exit("the suites cannot be built")
-        with open(times + ".part", "w", newline="", encoding="utf-8") as file:
-            for program in programs:
-                begin = time.monotonic()
-                if not passes(self.original, program):
-                    sys.exit(f"{program} fails on the library itself")
-                csv.writer(file).writerow((program, time.monotonic() - begin))
-        os.rename(times + ".part", times)
+    def limit(self, program):
+        """@return the seconds that a suite may compute"""
+        with self.timing:
+            if program not in self.seconds:
+                found, seconds = run_suite(".", program)
+                if found:
+                    raise SystemExit(f"{program} fails on the library itself: {found}")
+                self.seconds[program] = LEAST_SECONDS + math.ceil(MOST_TIMES * seconds)
+        return self.seconds[program]
 
     def judge(self, m):
-        """@return the suite that noticed a mutant, `none` where it does not compile, `same` where no program differs, or `survived`"""
-        folder = self.folders.get()
+        """@return what noticed a mutant, `none` where it does not compile, `same` where no code differs, or `survived`"""
+        tree = self.trees.get()
+        saved = tree + "-saved"
+        changed = [m.file, *self.objects[m.file]] + [self.library] * m.file.startswith("src/")
         try:
-            shutil.rmtree(folder, ignore_errors=True)
-            shutil.copytree(self.original, folder, symlinks=True)
-            path = os.path.join(folder, m.file)
-            with open(path, encoding="utf-8") as file:
+            for path in changed:
+                os.makedirs(os.path.dirname(os.path.join(saved, path)), exist_ok=True)
+                shutil.copy2(os.path.join(tree, path), os.path.join(saved, path))
+            with open(os.path.join(tree, m.file), "r+", encoding="utf-8") as file:
                 text = file.read()
-            with open(path, "w", encoding="utf-8") as file:
+                file.seek(0)
                 file.write(text[:m.start] + m.text + text[m.end:])
-            return self.run_suites(folder, next(some for top, some in self.suites.items() if m.file.startswith(top)))
+                file.truncate()
+            return self.find(tree, m.file)
         finally:
-            shutil.rmtree(folder, ignore_errors=True)
-            self.folders.put(folder)
+            for path in changed:
+                shutil.copy2(os.path.join(saved, path), os.path.join(tree, path))
+            shutil.rmtree(saved)
+            self.trees.put(tree)
 
-    def run_suites(self, folder, programs):
-        if not build(folder, programs):
+    def find(self, tree, path):
+        if not make(tree, self.build, *self.objects[path]):
             return "none"
-        changed = [program for program in programs if digest_of_program(folder, program) != self.programs[program]]
-        for program in sorted(changed, key=self.seconds.get):
-            if not passes(folder, program, LEAST_SECONDS + MOST_TIMES * self.seconds[program]):
-                return os.path.basename(program)
-        return "survived" if changed else "same"
+        sources = [os.path.relpath(name, self.variant)[:-len("o")] + "c" for name in self.objects[path]]
+        if all(plain(".", source) == plain(tree, source) for source in sources):
+            return "same"
+        for program in next(some for top, some in self.suites.items() if path.startswith(top)):
+            if not make(tree, self.build, program):
+                sys.exit(f"{program} cannot be linked")
+            found, _ = run_suite(tree, program, self.limit(program))
+            if found:
+                return f"{os.path.basename(program)}: {found}"
+        return "survived"
 
 
-def digest_of_program(folder, program):
-    return digest([os.path.join(folder, program)])
+def plain(folder, source):
+    """@return the code of a source by a compiler without sanitizers, or None"""
+    if not source.startswith(("src/", "port/panel/")):
+        return None
+    with tempfile.NamedTemporaryFile(suffix=".o") as file:
+        subprocess.run([*PLAIN, file.name, source], cwd=folder, stderr=subprocess.DEVNULL, check=False)
+        return file.read()
 
 
 # ---- Results --------------------------------------------------------------------------------------------------------
@@ -235,34 +264,42 @@ def judge_all(judge, results, known, mutants, count, jobs):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("--build", required=True, help="folder for copies and results")
+    parser.add_argument("--build", required=True, help="folder of make in the work tree, in which all programs are built")
     parser.add_argument("--known", required=True, help="CSV of survivors: file, line, mutant, reason")
     parser.add_argument("--count", type=int, required=True, help="mutants to judge")
     parser.add_argument("--seed", type=int, required=True, help="their order")
     parser.add_argument("--jobs", type=int, default=os.cpu_count(), help="mutants judged at once")
-    parser.add_argument("--library", nargs="+", required=True, help="programs that judge src/, as make names them")
-    parser.add_argument("--panels", nargs="+", required=True, help="programs that judge port/panel/")
+    parser.add_argument("--variant", required=True, help="of the suites, as make names it")
+    parser.add_argument("--library", nargs="+", required=True, help="suites that judge src/, quick ones first")
+    parser.add_argument("--panels", nargs="+", required=True, help="suites that judge port/panel/")
+    parser.add_argument("--left", type=int, default=0, help="survivors without a reason that are let through")
     parser.add_argument("--files", nargs="*", default=[], help="of src/ and port/panel/; all unless some are named")
     arguments = parser.parse_args()
+    if os.path.relpath(arguments.build) != arguments.build or arguments.build.startswith(".."):
+        parser.error("--build names no folder below the work tree")
 
-    suites = {"src/": arguments.library, "port/panel/": arguments.panels}
+    suites = {top: [os.path.join(arguments.build, "tests", arguments.variant, suite) for suite in some]
+              for top, some in (("src/", arguments.library), ("port/panel/", arguments.panels))}
     paths = {top: sorted(glob.glob(top + "/**/*.[ch]", recursive=True)) for top in ("src", "port", "tests", "examples")}
     rules = sorted(path for top in (*paths, "tools") for path in glob.glob(top + "/**/*.mk", recursive=True))
-    stamp = digest([*sum(paths.values(), []), *rules, "Makefile"], arguments.library + arguments.panels)
-    files = arguments.files or [path for path in paths["src"] + paths["port"] if path.startswith(tuple(suites))]
-    mutants = in_order([m for path in files for m in mutants_of(path)], arguments.seed)
-    os.makedirs(arguments.build, exist_ok=True)
+    stamp = digest([*sum(paths.values(), []), *rules, "Makefile"], sorted(arguments.library + arguments.panels))
+    all_mutants = [m for path in paths["src"] + paths["port"] if path.startswith(tuple(suites)) for m in mutants_of(path)]
     known = read_known(arguments.known)
-    judge = Judge(arguments.build, suites, stamp, arguments.jobs)
-    judged, done = judge_all(judge, Results(os.path.join(arguments.build, "results.csv"), stamp), known, mutants, arguments.count,
-                             arguments.jobs)
+    unknown = set(known) - {(m.file, m.before, m.after) for m in all_mutants}
+    if unknown:
+        sys.exit(f"{arguments.known}: no mutant has " + "\n".join(map(str, unknown)))
+    mutants = in_order([m for m in all_mutants if not arguments.files or m.file in arguments.files], arguments.seed)
+    print(f"{arguments.count} of {len(mutants)} mutants in the order of seed {arguments.seed}", flush=True)
+    judge = Judge(arguments.build, arguments.variant, suites, arguments.jobs)
+    results = Results(os.path.join(arguments.build, "mutants", "results.csv"), stamp)
+    judged, done = judge_all(judge, results, known, mutants, arguments.count, arguments.jobs)
     survivors = [(m, result) for m, result in judged if result in ("survived", "known")]
     for m, result in survivors:
         reason = known.get((m.file, m.before, m.after))
         print(f"{m.file}:{m.line}: {'known: ' + reason if reason else 'SURVIVED'}\n  - {m.before}\n  + {m.after}")
     print("by suite:", ", ".join(f"{name} {n}" for name, n in collections.Counter(r for _, r in judged).most_common()))
-    print(f"{len(judged) - len(survivors)} of {len(judged)} killed, {done - len(judged)} passed over; {len(mutants)} in all")
-    return any(result == "survived" for _, result in judged)
+    print(f"{len(judged) - len(survivors)} of {len(judged)} killed, {done - len(judged)} passed over")
+    return sum(result == "survived" for _, result in judged) > arguments.left
 
 
 if __name__ == "__main__":

@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Worst-case stack of firmware: stack.py [--targets CSV] [--entries HEADER] ELF...
+"""Worst-case stack of firmware: stack.py [--targets CSV] ELF...
 
 Frames come from the compiler (-fstack-usage, files *.su beside the objects) or, for what is not C, from the prologue;
 calls from the disassembly; the targets of a call through a pointer from the table, by the source function it stands in. A
 row `above>function` has those of a call from `function` where `above` is among its callers.
 Fails on recursion, on a frame without bound, on an indirect call whose function is not in the table, and when main and
-the deepest interrupt need more than the linker script reserves. With a header, also what each function declared there takes.
+the deepest interrupt need more than the linker script reserves.
 The table is the targets.csv beside this file where no other is named.
 """
 import argparse
@@ -190,17 +190,6 @@ def read_table(path=TARGETS):
         return {row["caller"]: row["targets"].split() for row in csv.DictReader(file)}
 
 
-def entries(functions, headers):
-    """{function that a header declares: bytes of its deepest chain}, of those that the firmware has."""
-    declared = set()
-    for header in headers:
-        with open(header) as file:
-            declared.update(re.findall(r"^[a-z]\w* (?:\w+ )?\*?(glint_\w+)\(", file.read(), re.M))
-    known = {}
-    return {function.name: deepest(functions, address, known=known)[0]
-            for address, function in functions.items() if function.name in declared}
-
-
 def check(elf, functions):
     """@return (worst bytes, reserved bytes, chain)"""
     known = {}
@@ -217,7 +206,6 @@ def check(elf, functions):
 def main():
     parser = argparse.ArgumentParser()
     parser.add_argument("--targets", default=TARGETS)
-    parser.add_argument("--entries")
     parser.add_argument("elf", nargs="+")
     arguments = parser.parse_args()
     table = read_table(arguments.targets)
@@ -228,8 +216,6 @@ def main():
             worst, reserved, chain = check(elf, functions)
             good = worst <= reserved
             print("%s: %d of %d bytes: %s" % (elf, worst, reserved, " > ".join(chain)))
-            if arguments.entries:
-                print("".join("  %s %d\n" % pair for pair in sorted(entries(functions, [arguments.entries]).items())), end="")
         except (Wrong, OSError, subprocess.CalledProcessError) as problem:
             good = False
             print("%s: %s" % (elf, problem))

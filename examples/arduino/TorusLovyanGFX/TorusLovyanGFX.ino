@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// A torus that turns on a display of 320x240 pixels, through LovyanGFX, which knows many boards by itself: ESP32,
-// ESP32-S3, ESP8266, RP2040 and others. Its DMA sends a tile while the next one is drawn. Takes some 20 KB of RAM.
+// A torus that turns on a display of 320x240 pixels, through LovyanGFX, which knows many boards by itself: of ESP32,
+// ESP32-S3, ESP8266 and others. A board that it does not know, such as one with RP2040, needs a class LGFX of its own.
+// LovyanGFX's DMA sends a tile while the next one is drawn. Takes some 20 KB of RAM.
 #define LGFX_AUTODETECT
 #include <LovyanGFX.hpp>
 

@@ -1,15 +1,15 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file import.c
- * glint-import MODEL: what assimp reads, as MTL and OBJ text on stdout: the materials, a line `# mesh`, the mesh, and
- * `# end`. One line on stderr and status 1 for what it cannot read.
+ * glint-import MODEL: what assimp reads, as MTL and OBJ text on stdout: a line `# warning` for each kind of thing that
+ * is left out, the materials, a line `# mesh`, the mesh, and `# end`. One line on stderr and status 1 for what it
+ * cannot read.
  *
  * `glint` runs it in a process of its own, under limits, and trusts nothing that it prints.
  */
 #include "import.h"
 
 #include <assimp/cimport.h>
-#include <assimp/postprocess.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -20,12 +20,27 @@ static int fail(const char *why) {
     return 1;
 }
 
+/** Says whether each face's indices are of its mesh's vertices. All else is checked by the reader of OBJ files. */
+static int are_indices_right(const struct aiScene *scene) {
+    for (unsigned i = 0; i < scene->mNumMeshes; i++) {
+        const struct aiMesh *mesh = scene->mMeshes[i];
+        for (unsigned j = 0; j < mesh->mNumFaces; j++) {
+            for (unsigned k = 0; k < mesh->mFaces[j].mNumIndices; k++) {
+                if (mesh->mFaces[j].mIndices[k] >= mesh->mNumVertices) {
+                    return 0;
+                }
+            }
+        }
+    }
+    return 1;
+}
+
 /** What is printed of a scene, mesh by mesh. */
 typedef struct printer {
     const struct aiScene *scene;
     int coloured; /* whether any mesh has colours: then all positions get one */
     int painted;  /* whether meshes with a material are printed, or those without */
-    size_t position_count, normal_count;
+    size_t position_count, normal_count, texture_count;
 } printer;
 
 /** A place in space: 3 rows of 4. */
@@ -50,7 +65,7 @@ static placement combine(const placement *outer, const struct aiMatrix4x4 *inner
     return result;
 }
 
-/** The cofactors of the turning part, which take normals as its inverse transpose does, and its determinant. */
+/** Computes the cofactors, which take normals as the inverse transpose does. @return the determinant */
 static double cofactors(const placement *place, double normal[3][3]) {
     for (int i = 0; i < 3; i++) {
         for (int j = 0; j < 3; j++) {
@@ -99,15 +114,34 @@ static void print_normals(const struct aiMesh *mesh, double turn[3][3], double d
     }
 }
 
+/** Returns texture coordinates of a mesh, or null. */
+static const struct aiVector3D *textures_of(const struct aiMesh *mesh) {
+    return mesh->mNumUVComponents[0] >= 2 ? mesh->mTextureCoords[0] : NULL;
+}
+
+static void print_textures(const struct aiMesh *mesh) {
+    for (unsigned i = 0; i < mesh->mNumVertices; i++) {
+        const struct aiVector3D *at = &textures_of(mesh)[i];
+        const int finite = isfinite(at->x) && isfinite(at->y);
+        printf("vt %.9g %.9g\n", finite ? (double)at->x : 0, finite ? (double)at->y : 0);
+    }
+}
+
 /** Prints a face, the other way round where its mesh is mirrored. Points and lines are told from faces by their letter.
  */
-static void print_face(const printer *out, const struct aiFace *face, int has_normals, int mirrored) {
+static void print_face(const printer *out, const struct aiMesh *mesh, const struct aiFace *face, int mirrored) {
     putchar(face->mNumIndices > 2 ? 'f' : face->mNumIndices == 2 ? 'l' : 'p');
     for (unsigned i = 0; i < face->mNumIndices; i++) {
         const size_t index = face->mIndices[mirrored ? face->mNumIndices - 1 - i : i];
         printf(" %zu", out->position_count + index + 1);
-        if (has_normals && face->mNumIndices > 2) {
-            printf("//%zu", out->normal_count + index + 1);
+        if (face->mNumIndices <= 2) {
+            continue;
+        }
+        if (textures_of(mesh) != NULL) {
+            printf("/%zu", out->texture_count + index + 1);
+        }
+        if (mesh->mNormals != NULL) {
+            printf(textures_of(mesh) != NULL ? "/%zu" : "//%zu", out->normal_count + index + 1);
         }
     }
     putchar('\n');
@@ -116,19 +150,22 @@ static void print_face(const printer *out, const struct aiFace *face, int has_no
 static void print_mesh(printer *out, const struct aiMesh *mesh, const placement *place) {
     double turn[3][3];
     const double determinant = cofactors(place, turn);
-    const int has_normals = mesh->mNormals != NULL;
     print_positions(out, mesh, place);
-    if (has_normals) {
+    if (mesh->mNormals != NULL) {
         print_normals(mesh, turn, determinant);
+    }
+    if (textures_of(mesh) != NULL) {
+        print_textures(mesh);
     }
     if (out->painted) {
         paint_use(out->scene, mesh->mMaterialIndex);
     }
     for (unsigned i = 0; i < mesh->mNumFaces; i++) {
-        print_face(out, &mesh->mFaces[i], has_normals, determinant < 0);
+        print_face(out, mesh, &mesh->mFaces[i], determinant < 0);
     }
     out->position_count += mesh->mNumVertices;
-    out->normal_count += has_normals ? mesh->mNumVertices : 0;
+    out->normal_count += mesh->mNormals != NULL ? mesh->mNumVertices : 0;
+    out->texture_count += textures_of(mesh) != NULL ? mesh->mNumVertices : 0;
 }
 
 /** Prints a node's meshes as an object with the node's name. */
@@ -139,8 +176,9 @@ static void print_meshes(printer *out, const struct aiNode *node, const placemen
         printf("o %s\n", name.data);
     }
     for (unsigned i = 0; i < node->mNumMeshes; i++) {
-        const struct aiMesh *mesh = out->scene->mMeshes[node->mMeshes[i]];
-        if (paint_is_none(out->scene, mesh->mMaterialIndex) == !out->painted) {
+        const unsigned number = node->mMeshes[i];
+        const struct aiMesh *mesh = number < out->scene->mNumMeshes ? out->scene->mMeshes[number] : NULL;
+        if (mesh != NULL && paint_is_none(out->scene, mesh->mMaterialIndex) == !out->painted) {
             print_mesh(out, mesh, place);
         }
     }
@@ -185,8 +223,23 @@ static void print_nodes(printer *out) {
     free(waiting);
 }
 
+/** Prints a line for what the file has and the mesh has not. */
+static void print_skipped(const char *what, unsigned count) {
+    if (count > 0) {
+        printf("# warning %s are skipped (%u)\n", what, count);
+    }
+}
+
 static void print_scene(const struct aiScene *scene) {
-    printer out = {scene, 0, 0, 0, 0};
+    printer out = {scene, 0, 0, 0, 0, 0};
+    unsigned skinned = 0;
+    for (unsigned i = 0; i < scene->mNumMeshes; i++) {
+        skinned += scene->mMeshes[i]->mNumBones > 0;
+    }
+    print_skipped("animations", scene->mNumAnimations);
+    print_skipped("cameras", scene->mNumCameras);
+    print_skipped("lights", scene->mNumLights);
+    print_skipped("skins", skinned);
     for (unsigned i = 0; i < scene->mNumMeshes; i++) {
         out.coloured = out.coloured || scene->mMeshes[i]->mColors[0] != NULL;
     }
@@ -207,11 +260,14 @@ int main(int count, char **arguments) {
     if (!folder_open(&files, arguments[1])) {
         return fail("its folder cannot be opened");
     }
-    /* Indices are checked by assimp, and all else by the reader of OBJ files. */
-    const struct aiScene *scene = aiImportFileEx(arguments[1], aiProcess_ValidateDataStructure, &files);
+    /* assimp could check all of it, and would refuse a mesh for an animation, a bone or a camera that is not drawn. */
+    const struct aiScene *scene = aiImportFileEx(arguments[1], 0, &files);
     if (scene == NULL) {
         const char *why = aiGetErrorString();
         return fail(strstr(why, "bad_alloc") != NULL ? "takes more memory than it may" : why);
+    }
+    if (scene->mRootNode == NULL || !are_indices_right(scene)) {
+        return fail("a face names a vertex that is not there");
     }
     print_scene(scene);
     return fflush(stdout) == 0 ? 0 : fail("its output cannot be written");

@@ -18,8 +18,8 @@ int folder_open(struct aiFileIO *files, const char *model);
 
 /**
  * Prints the materials of a scene on stdout, the one that assimp makes where a file has none left out. Physically based
- * ones come to Kd, Ks and Ns by the formulas in docs/assets.md; of textures and transparency there is a line, so that
- * the reader of MTL files can warn of them.
+ * ones come to Kd, Ks and Ns by the formulas in docs/assets.md; of transparency and of textures that are not of the
+ * base colour there is a line, so that the reader of MTL files can warn of them.
  */
 void paint_print(const struct aiScene *scene);
 

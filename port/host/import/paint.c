@@ -1,20 +1,14 @@
 /* SPDX-License-Identifier: MIT */
 #include "import.h"
 
+#include "../physical.h"
+
 #include <assimp/material.h>
+#include <limits.h>
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
-
-/** Largest exponent that comes of a roughness. */
-#define SHININESS_MAX 1024.0
-
-/** Reflectance of what is no metal, seen straight on: glTF 2.0, appendix B.3.5. */
-#define DIELECTRIC 0.04
-
-typedef struct paint {
-    double diffuse[3], specular[3], shininess; /* 0 or less for an exponent that is not given */
-} paint;
 
 /** A number that a material has, or what holds without. What is not finite counts as not given. A key is three values.
  */
@@ -43,38 +37,15 @@ static double clamp(double value, double least, double most) {
     return value < least ? least : value > most ? most : value;
 }
 
-/**
- * From metalness and roughness. F0 and alpha = roughness^2 are those of glTF 2.0, appendix B.3.5. The exponent
- * 2 / alpha^2 - 2 gives Blinn's lobe the width of Beckmann's (Walter et al., 2007, section 5.2). (Ns + 2) / 8 gives it
- * the same energy (Karis, Specular BRDF Reference, 2013: implicit shadowing, light of pi as the diffuse term has it).
- * The factor 1 - alpha is this program's own: what is rough has no lobe left, and a metal's reflection counts as
- * diffuse, else the rough metal that glTF takes where nothing is said would be black.
- */
-static void paint_physically(paint *made, const double base[3], double metal, double roughness) {
-    const double alpha = roughness * roughness;
-    const double exponent = alpha > 0 ? 2 / (alpha * alpha) - 2 : SHININESS_MAX;
-    double strongest = 0;
-    made->shininess = clamp(exponent, 1, SHININESS_MAX);
-    for (int i = 0; i < 3; i++) {
-        const double reflectance = DIELECTRIC + (base[i] - DIELECTRIC) * metal;
-        made->specular[i] = reflectance * (made->shininess + 2) / 8 * (1 - alpha);
-        made->diffuse[i] = base[i] * (1 - metal * (1 - alpha));
-        strongest = fmax(strongest, made->specular[i]);
-    }
-    for (int i = 0; i < 3 && strongest > 1; i++) {
-        made->specular[i] /= strongest;
-    }
-}
-
 /** A material of Phong's kind as it stands. */
-static void paint_plainly(paint *made, const struct aiMaterial *material) {
+static void paint_plainly(mtl_material *made, const struct aiMaterial *material) {
     const double strength = number_of(material, AI_MATKEY_SHININESS_STRENGTH, 1);
     colour_of(material, AI_MATKEY_COLOR_DIFFUSE, made->diffuse);
     colour_of(material, AI_MATKEY_COLOR_SPECULAR, made->specular);
     for (int i = 0; i < 3; i++) {
         made->specular[i] *= strength;
     }
-    made->shininess = number_of(material, AI_MATKEY_SHININESS, 0);
+    made->shininess = number_of(material, AI_MATKEY_SHININESS, -1);
 }
 
 static int is_physical(const struct aiMaterial *material) {
@@ -82,8 +53,8 @@ static int is_physical(const struct aiMaterial *material) {
            number_of(material, AI_MATKEY_ROUGHNESS_FACTOR, -1) >= 0;
 }
 
-static paint paint_of(const struct aiMaterial *material) {
-    paint made = {{0.6, 0.6, 0.6}, {0, 0, 0}, 0};
+static mtl_material paint_of(const struct aiMaterial *material) {
+    mtl_material made = {.diffuse = {0.6, 0.6, 0.6}};
     const double metal = number_of(material, AI_MATKEY_METALLIC_FACTOR, -1);
     const double roughness = number_of(material, AI_MATKEY_ROUGHNESS_FACTOR, -1);
     double base[3] = {1, 1, 1};
@@ -93,7 +64,7 @@ static paint paint_of(const struct aiMaterial *material) {
         if (!colour_of(material, AI_MATKEY_BASE_COLOR, base)) {
             colour_of(material, AI_MATKEY_COLOR_DIFFUSE, base);
         }
-        paint_physically(&made, base, clamp(metal, 0, 1), roughness < 0 ? 1 : clamp(roughness, 0, 1));
+        physical_from_metallic(base, clamp(metal, 0, 1), roughness < 0 ? 1 : clamp(roughness, 0, 1), &made);
     }
     return made;
 }
@@ -108,12 +79,36 @@ static void print_colour(const char *keyword, const double colour[3]) {
     printf("%s %.6g %.6g %.6g\n", keyword, colour[0], colour[1], colour[2]);
 }
 
-static int has_texture(const struct aiMaterial *material) {
-    int type = aiTextureType_NONE;
-    while (type <= AI_TEXTURE_TYPE_MAX && aiGetMaterialTextureCount(material, (enum aiTextureType)type) == 0) {
-        type++;
+/** Prints the picture of the base colour, which may lie within the file: then only one beside it is read. */
+static int print_texture(const struct aiScene *scene, const struct aiMaterial *material, enum aiTextureType type) {
+    struct aiString path;
+    enum aiTextureMapMode modes[2] = {aiTextureMapMode_Wrap, aiTextureMapMode_Wrap};
+    if (aiGetMaterialTexture(material, type, 0, &path, NULL, NULL, NULL, NULL, modes, NULL) != aiReturn_SUCCESS) {
+        return 0;
     }
-    return type <= AI_TEXTURE_TYPE_MAX;
+    const unsigned long number = path.data[0] == '*' ? strtoul(path.data + 1, NULL, 10) : ULONG_MAX;
+    if (number < scene->mNumTextures && scene->mTextures[number]->mFilename.length > 0) {
+        path = scene->mTextures[number]->mFilename;
+    }
+    for (char *c = path.data; *c != '\0'; c++) {
+        *c = (char)((unsigned char)*c >= ' ' ? *c : '_');
+    }
+    printf("map_Kd %s\"%s\"\n", modes[0] == aiTextureMapMode_Clamp && modes[1] == modes[0] ? "-clamp on " : "",
+           path.data);
+    return 1;
+}
+
+/** Prints a line for textures other than that. */
+static void print_textures(const struct aiScene *scene, const struct aiMaterial *material) {
+    int count = 0;
+    for (int type = aiTextureType_NONE; type <= AI_TEXTURE_TYPE_MAX; type++) {
+        count += aiGetMaterialTextureCount(material, (enum aiTextureType)type) > 0;
+    }
+    const int drawn = print_texture(scene, material, aiTextureType_BASE_COLOR) ||
+                      print_texture(scene, material, aiTextureType_DIFFUSE);
+    if (count > 1 || (count == 1 && !drawn)) {
+        puts("map_Ks texture");
+    }
 }
 
 void paint_plain(struct aiString *name) {
@@ -149,12 +144,12 @@ static void print_name(const char *keyword, const struct aiScene *scene, unsigne
     putchar('\n');
 }
 
-static void print_material(const struct aiMaterial *material) {
-    const paint made = paint_of(material);
+static void print_material(const struct aiScene *scene, const struct aiMaterial *material) {
+    const mtl_material made = paint_of(material);
     double emission[3] = {0, 0, 0};
     print_colour("Kd", made.diffuse);
     print_colour("Ks", made.specular);
-    if (made.shininess > 0) {
+    if (made.shininess >= 0) {
         printf("Ns %.6g\n", made.shininess);
     }
     if (colour_of(material, AI_MATKEY_COLOR_EMISSIVE, emission)) {
@@ -168,9 +163,7 @@ static void print_material(const struct aiMaterial *material) {
     if (number_of(material, AI_MATKEY_OPACITY, 1) < 1) {
         printf("d %.6g\n", number_of(material, AI_MATKEY_OPACITY, 1));
     }
-    if (has_texture(material)) {
-        puts("map_Kd texture");
-    }
+    print_textures(scene, material);
 }
 
 void paint_print(const struct aiScene *scene) {
@@ -178,7 +171,7 @@ void paint_print(const struct aiScene *scene) {
     for (unsigned i = 0; i < scene->mNumMaterials; i++) {
         if (name_of(scene, i, &name)) {
             print_name("newmtl", scene, i, &name);
-            print_material(scene->mMaterials[i]);
+            print_material(scene, scene->mMaterials[i]);
         }
     }
 }

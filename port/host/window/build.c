@@ -131,8 +131,13 @@ static void orbit(const window_changes *changes, const double sky[3], window_sce
 
 /* ---- Objects ---------------------------------------------------------------------------------------------------- */
 
-static glint_q16 quarter(glint_q16 value) {
-    return value / 4;
+/** A dark colour keeps this part of each channel. */
+#define DARK 0.2
+
+static void darken(glint_colour *colour) {
+    colour->r = number_q16(DARK * number_from_q16(colour->r));
+    colour->g = number_q16(DARK * number_from_q16(colour->g));
+    colour->b = number_q16(DARK * number_from_q16(colour->b));
 }
 
 static glint_q16 raised(glint_q16 shininess, int eighths) {
@@ -148,10 +153,9 @@ static void change_material(const window_changes *changes, glint_material *mater
     if (changes->exponent != 0) {
         material->shininess = raised(material->shininess, changes->exponent);
     }
-    if (changes->dark) {
-        material->diffuse.r = quarter(material->diffuse.r);
-        material->diffuse.g = quarter(material->diffuse.g);
-        material->diffuse.b = quarter(material->diffuse.b);
+    if (changes->dark) { /* ambient light meets the diffuse colour too */
+        darken(&material->diffuse);
+        darken(&material->ambient);
     }
     material->diffuse = changes->terms == WINDOW_SPECULAR ? black : material->diffuse;
     material->specular = changes->terms == WINDOW_DIFFUSE ? black : material->specular;
@@ -171,11 +175,15 @@ static uint8_t (*colour_mesh(const glint_mesh *mesh))[3] {
     return colours;
 }
 
+static bool has_colours(const glint_mesh *mesh) {
+    return mesh->colours != NULL || mesh->colours565 != NULL;
+}
+
 /** Plain meshes get colours, others lose theirs. */
 static void change_colours(window_scene *built, uint32_t i) {
     glint_mesh *mesh = &built->meshes[i];
     *mesh = *built->objects[i].mesh;
-    if (mesh->colours != NULL || mesh->colours565 != NULL) {
+    if (has_colours(mesh)) {
         mesh->colours = NULL;
     } else {
         built->paints[i].colours = colour_mesh(mesh);
@@ -183,6 +191,81 @@ static void change_colours(window_scene *built, uint32_t i) {
     }
     mesh->colours565 = NULL;
     built->objects[i].mesh = mesh;
+}
+
+/** Finds a mesh in the scene's variants: coloured where it is plain here, or plain. Returns null where none has it. */
+static const glint_object *find_twin(const window_state *state, const glint_mesh *mesh, example_stage *stage) {
+    for (uint32_t variant = 0; variant < state->scene->variant_count; variant++) {
+        state->scene->build(stage, variant, state->frame);
+        for (uint32_t i = 0; i < stage->scene.object_count; i++) {
+            const glint_object *other = &stage->objects[i];
+            if (other->mesh->positions == mesh->positions && other->mesh->triangle_count == mesh->triangle_count &&
+                has_colours(other->mesh) != has_colours(mesh)) {
+                return other;
+            }
+        }
+    }
+    return NULL;
+}
+
+/** Gives objects the colours that other variants of the scene have for them. @return whether there are any */
+static bool take_colours(const window_state *state, window_scene *built) {
+    example_stage *stage = memory_new(1, sizeof *stage);
+    bool any = false;
+    for (uint32_t i = 0; !state->has_model && i < built->scene.object_count; i++) {
+        const glint_object *twin = find_twin(state, built->objects[i].mesh, stage);
+        if (twin != NULL) {
+            built->objects[i].mesh = twin->mesh;
+            built->materials[i].diffuse = twin->material->diffuse;
+            built->materials[i].ambient = twin->material->ambient;
+            any = true;
+        }
+    }
+    free(stage);
+    return any;
+}
+
+/* ---- The subject ------------------------------------------------------------------------------------------------ */
+
+/** Returns whether an object is a model's, or in a scene is lit and has height, which a ground has not. */
+static bool is_subject(const window_state *state, const glint_object *object) {
+    const glint_vector extent = object->mesh->extent;
+    const bool is_solid = extent.x > 0 && extent.y > 0 && extent.z > 0;
+    return state->has_model || (object->material->model != &glint_model_unlit && is_solid);
+}
+
+static void turn_pose(const double turn[3][3], const double middle[3], glint_pose *pose) {
+    const glint_pose before = *pose;
+    for (int row = 0; row < 3; row++) {
+        for (int column = 0; column < 4; column++) {
+            double sum = column == 3 ? middle[row] : 0;
+            for (int i = 0; i < 3; i++) {
+                sum += turn[i][row] * (number_from_q16(before.m[i][column]) - (column == 3 ? middle[i] : 0));
+            }
+            pose->m[row][column] = held(sum);
+        }
+    }
+}
+
+/** Turns the subject about its middle. */
+static void turn_subject(const window_state *state, window_scene *built) {
+    double middle[3] = {0, 0, 0};
+    uint32_t count = 0;
+    for (uint32_t i = 0; i < built->scene.object_count; i++) {
+        if (is_subject(state, &built->objects[i])) {
+            double own[3];
+            measure(&built->objects[i], own);
+            count++;
+            for (int axis = 0; axis < 3; axis++) {
+                middle[axis] += (own[axis] - middle[axis]) / count;
+            }
+        }
+    }
+    for (uint32_t i = 0; i < built->scene.object_count; i++) {
+        if (is_subject(state, &built->objects[i])) {
+            turn_pose(state->changes.turn, middle, &built->objects[i].pose);
+        }
+    }
 }
 
 /** Half as high as it was, about what the camera looks at. */
@@ -193,19 +276,30 @@ static void squash(const double target[3], glint_pose *pose) {
     }
 }
 
-static void change_objects(const window_changes *changes, window_scene *built) {
+static void change_objects(const window_state *state, window_scene *built) {
+    const window_changes *changes = &state->changes;
+    for (uint32_t i = 0; i < built->scene.object_count; i++) {
+        built->materials[i] = *built->objects[i].material;
+        built->objects[i].material = &built->materials[i];
+    }
+    const bool coloured = changes->colours && take_colours(state, built);
     for (uint32_t i = 0; i < built->scene.object_count; i++) {
         glint_object *object = &built->objects[i];
-        built->materials[i] = *object->material;
         change_material(changes, &built->materials[i]);
-        object->material = &built->materials[i];
         object->evaluation = changes->has_evaluation ? changes->evaluation : object->evaluation;
-        if (changes->colours) {
+        if (changes->colours && !coloured && is_subject(state, object)) {
             change_colours(built, i);
+        }
+        if (changes->passed > 0 && is_subject(state, object)) {
+            built->materials[i].blend = window_blends[changes->blend];
+            built->materials[i].opacity = GLINT_ONE - changes->passed * (GLINT_ONE / 4);
         }
         if (changes->squashed) {
             squash(built->target, &object->pose);
         }
+    }
+    if (changes->has_turn) {
+        turn_subject(state, built);
     }
 }
 
@@ -279,8 +373,23 @@ static void adopt(const glint_scene *scene, window_scene *built) {
     built->paints = memory_new(room, sizeof *built->paints);
     memcpy(built->objects, scene->objects, scene->object_count * sizeof *built->objects);
     memcpy(built->lights, scene->lights, scene->light_count * sizeof *built->lights);
+    if (scene->fog != NULL) {
+        built->fog = *scene->fog;
+        built->scene.fog = &built->fog;
+    }
     built->scene.objects = built->objects;
     built->scene.lights = built->lights;
+}
+
+/** Adds fog of the background's colour, which begins in front of what the camera looks at, and ends behind it. */
+static void add_fog(const window_changes *changes, window_scene *built) {
+    const double angle = number_from_q16(built->scene.camera.field_of_view) * pi / 360;
+    const double distance = changes->zoom * built->reach / tan(angle);
+    const double half = fmin(built->reach, 0.75 * distance);
+    built->fog = (glint_fog){.type = changes->fog, .to_background = 1};
+    built->fog.start = held(distance - half);
+    built->fog.end = held(distance + half);
+    built->scene.fog = &built->fog;
 }
 
 static void change(const window_state *state, window_scene *built) {
@@ -293,7 +402,7 @@ static void change(const window_state *state, window_scene *built) {
         sky[axis] = state->has_model ? sky[axis] / length : upwards[axis];
     }
     find_axes(built);
-    change_objects(changes, built);
+    change_objects(state, built);
     if (changes->yaw < 0 || changes->yaw > 0 || changes->pitch < 0 || changes->pitch > 0 || changes->zoom < 1 ||
         changes->zoom > 1) {
         orbit(changes, sky, built);
@@ -304,6 +413,9 @@ static void change(const window_state *state, window_scene *built) {
     if (changes->has_viewer) {
         built->scene.viewer = changes->viewer;
     }
+    if (changes->fog != NULL) {
+        add_fog(changes, built);
+    }
     for (uint32_t i = 0; changes->shows_lights && i < built->scene.light_count; i++) {
         show_light(&built->scene.lights[i], built);
     }
@@ -311,6 +423,7 @@ static void change(const window_state *state, window_scene *built) {
 
 bool window_build(const window_state *state, window_scene *built, host_problem *problem) {
     memset(built, 0, sizeof *built);
+    built->samples = state->settings.samples;
     if (state->has_model) {
         host_view view;
         if (!view_make(&view, &state->settings, &state->model.materials, &state->mesh, problem)) {
@@ -324,6 +437,7 @@ bool window_build(const window_state *state, window_scene *built, host_problem *
         state->scene->build(stage, state->variant, state->frame);
         example_fit(stage, state->scene, state->settings.width, state->settings.height);
         adopt(&stage->scene, built);
+        built->samples = state->settings.samples_given ? built->samples : stage->samples;
         change(state, built);
         free(stage);
     }

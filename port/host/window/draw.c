@@ -32,8 +32,10 @@ static uint8_t *expand(const framebuffer *target) {
 }
 
 /** Draws with as much arena as the slider says. */
-static bool render(const window_state *state, const glint_scene *scene, window_frame *frame, host_problem *problem) {
+static bool render(const window_state *state, const window_scene *built, window_frame *frame, host_problem *problem) {
+    const glint_scene *scene = &built->scene;
     host_settings settings = state->settings;
+    settings.samples = built->samples;
     const glint_status status = view_need(scene, &settings, &frame->need);
     if (status != GLINT_OK) {
         return problem_set(problem, 0, "%s", glint_strerror(status));
@@ -54,7 +56,7 @@ bool window_render(const window_state *state, window_frame *frame, host_problem 
     if (!window_build(state, &built, problem)) {
         return false;
     }
-    const bool ok = render(state, &built.scene, frame, problem);
+    const bool ok = render(state, &built, frame, problem);
     window_scene_free(&built);
     return ok;
 }

@@ -29,23 +29,25 @@
 
 const window_help window_helps[] = {
     {"drag, wheel", "orbit, zoom"},
+    {"right-drag", "turn the object"},
     {"I J K L", "move the light (Shift: finely)"},
     {"U O", "exponent up, down (Shift: finely)"},
     {"G", "dark diffuse colour, or as it is"},
     {"H", "diffuse + specular, specular, diffuse"},
+    {"Shift H", "diffuse, or diffuse + specular"},
     {"T", "squashed to half its height, or not"},
     {"Space", "plain, or colours at vertices"},
     {"1 2 3", "flat, per vertex, per fragment"},
     {"M", "Lambert, Phong, Blinn-Phong"},
     {"V", "viewer: infinite, local"},
+    {"E P W", "fog, opacity (Shift: kind), smooth edges"},
     {"N", "one more light (Shift: one less)"},
     {"C", "choose the next light"},
     {"X", "its kind: directional, point, spot"},
     {"Y", "lights drawn, or not"},
     {"B", "light turns, or stands"},
     {"S", "size of the panel (Shift: back)"},
-    {"F", "format of pixels (Shift: back)"},
-    {"D", "dithered, or not"},
+    {"F D", "format of pixels (Shift: back), dithered"},
     {"Q", "size of tiles"},
     {"Z", "grid of tiles"},
     {"A", "less arena (Shift: more), or the slider"},
@@ -57,6 +59,8 @@ const window_help window_helps[] = {
     {"F2", "screenshot"},
     {NULL, NULL},
 };
+
+const glint_blend window_blends[WINDOW_BLENDS] = {GLINT_BLEND_ALPHA, GLINT_BLEND_ADD, GLINT_BLEND_DITHERED};
 
 const double window_buses[WINDOW_BUSES] = {4, 8, 10, 16, 20, 24, 32, 40, 50, 62.5, 80};
 
@@ -256,9 +260,39 @@ static void change_viewer(window_state *state) {
     }
 }
 
+/** No fog, or the scene's own; then one type after the other. */
+static void change_fog(window_changes *changes) {
+    changes->fog = changes->fog == NULL                ? &glint_fog_linear
+                   : changes->fog == &glint_fog_linear ? &glint_fog_squared
+                                                       : NULL;
+}
+
+/** A quarter less opacity, or the next way to blend, which then shows. */
+static void change_opacity(window_changes *changes, bool blends) {
+    changes->passed = blends ? changes->passed : (changes->passed + 1) % 4;
+    changes->blend = blends ? (changes->blend + 1) % WINDOW_BLENDS : changes->blend;
+}
+
+/** Samples that are not those which the scene is drawn with. */
+static void change_samples(window_state *state) {
+    window_scene built;
+    host_problem problem;
+    if (window_build(state, &built, &problem)) {
+        state->settings.samples_given = true;
+        state->settings.samples = built.samples == NULL ? &glint_samples_2x2 : NULL;
+        window_scene_free(&built);
+    }
+}
+
 static void change_exponent(window_changes *changes, int by) {
     const int changed = changes->exponent + by;
     changes->exponent = changed < -EXPONENT_MOST ? -EXPONENT_MOST : changed > EXPONENT_MOST ? EXPONENT_MOST : changed;
+}
+
+/** The next term, or with Shift diffuse light with specular or alone. */
+static void change_terms(window_changes *changes, bool keeps_diffuse) {
+    const int other = changes->terms == WINDOW_BOTH ? WINDOW_DIFFUSE : WINDOW_BOTH;
+    changes->terms = keeps_diffuse ? other : (changes->terms + 1) % WINDOW_TERMS;
 }
 
 static void evaluate(window_changes *changes, int digit) {
@@ -310,13 +344,19 @@ static bool scene_key(window_state *state, int key, bool fine) {
         change_exponent(changes, fine ? -EXPONENT_FINE : -EXPONENT_STEP);
         return true;
     case 'H':
-        changes->terms = (changes->terms + 1) % WINDOW_TERMS;
+        change_terms(changes, fine);
         return true;
     case 'M':
         change_reflection(state);
         return true;
     case 'V':
         change_viewer(state);
+        return true;
+    case 'E':
+        change_fog(changes);
+        return true;
+    case 'P':
+        change_opacity(changes, fine);
         return true;
     case 'R':
         state->runs = !state->has_model && !state->runs;
@@ -349,6 +389,9 @@ static void show_key(window_state *state, int key, bool back) {
         break;
     case 'F':
         change_format(state, back);
+        break;
+    case 'W':
+        change_samples(state);
         break;
     case 'Q':
         change_tile(state, back);
@@ -390,6 +433,25 @@ void window_drag(window_state *state, int across, int down) {
         state->changes.pitch = built.pitch;
         window_scene_free(&built);
     }
+}
+
+void window_drag_subject(window_state *state, int across, int down) {
+    static const double unturned[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    window_changes *changes = &state->changes;
+    window_scene built;
+    host_problem problem;
+    if (!window_build(state, &built, &problem)) {
+        return;
+    }
+    if (!changes->has_turn) {
+        memcpy(changes->turn, unturned, sizeof unturned);
+        changes->has_turn = true;
+    }
+    for (int column = 0; column < 3; column++) {
+        window_turn(changes->turn[column], built.up, DRAG_STEP * across);
+        window_turn(changes->turn[column], built.right, DRAG_STEP * down);
+    }
+    window_scene_free(&built);
 }
 
 void window_wheel(window_state *state, int steps) {

@@ -14,12 +14,17 @@
 #include <stdlib.h>
 #include <string.h>
 
-/** A canvas of these sizes holds three times 320x240, and the text. */
-#define CANVAS_WIDTH (3 * 320 + 2 * WINDOW_MARGIN + WINDOW_SIDE)
-#define CANVAS_HEIGHT (3 * 240 + 2 * WINDOW_MARGIN + 40)
+/** A window opens with room for a picture of this size, so many times magnified where the screen has room for that. */
+#define PICTURE_WIDTH 320
+#define PICTURE_HEIGHT 240
+#define MAGNIFIED_MOST 3
+
+/** Least height of a canvas, which holds the help; and pixels that a title bar may take of the screen. */
+#define CANVAS_LEAST 640
+#define TITLE_BAR 40
 
 /** What the mouse does as long as its button is down. */
-typedef enum grip { GRIP_NONE, GRIP_ORBIT, GRIP_SLIDER } grip;
+typedef enum grip { GRIP_NONE, GRIP_ORBIT, GRIP_SUBJECT, GRIP_SLIDER } grip;
 
 typedef struct shell {
     SDL_Window *window;
@@ -98,11 +103,23 @@ static void move_mouse(shell *all, const SDL_MouseMotionEvent *event) {
     if (all->mouse == GRIP_ORBIT) {
         window_drag(&all->state, event->xrel, event->yrel);
         all->is_stale = true;
+    } else if (all->mouse == GRIP_SUBJECT) {
+        window_drag_subject(&all->state, event->xrel, event->yrel);
+        all->is_stale = true;
     } else if (all->mouse == GRIP_SLIDER) {
         const window_box *slider = &all->state.slider;
         const int last = slider->x + slider->width - 1;
         const int x = event->x < slider->x ? slider->x : event->x > last ? last : event->x;
         all->is_stale |= window_press(&all->state, x, slider->y);
+    }
+}
+
+static void press_button(shell *all, const SDL_MouseButtonEvent *event) {
+    if (event->button == SDL_BUTTON_RIGHT) {
+        all->mouse = GRIP_SUBJECT;
+    } else if (event->button == SDL_BUTTON_LEFT) {
+        all->mouse = window_press(&all->state, event->x, event->y) ? GRIP_SLIDER : GRIP_ORBIT;
+        all->is_stale |= all->mouse == GRIP_SLIDER;
     }
 }
 
@@ -131,8 +148,7 @@ static void handle(shell *all, const SDL_Event *event) {
         all->is_stale = true;
         break;
     case SDL_MOUSEBUTTONDOWN:
-        all->mouse = window_press(&all->state, event->button.x, event->button.y) ? GRIP_SLIDER : GRIP_ORBIT;
-        all->is_stale |= all->mouse == GRIP_SLIDER;
+        press_button(all, &event->button);
         break;
     default:
         break;
@@ -173,6 +189,28 @@ static void print_help(void) {
     settings_help(COMMAND_RENDER);
 }
 
+/** Opens a window that fits the screen. @return null where that fails */
+static SDL_Window *open_window(void) {
+    SDL_Rect screen = {0, 0, 0, 0};
+    int width = 0;
+    int height = 0;
+    int times = MAGNIFIED_MOST;
+    SDL_GetDisplayUsableBounds(0, &screen); /* no size where it fails: the smallest window */
+    do {
+        width = times * PICTURE_WIDTH + 2 * WINDOW_MARGIN + WINDOW_SIDE;
+        height = times * PICTURE_HEIGHT + 2 * WINDOW_MARGIN + 40;
+        height = height > CANVAS_LEAST ? height : CANVAS_LEAST;
+    } while ((width > screen.w || height + TITLE_BAR > screen.h) && --times > 0);
+    return SDL_CreateWindow("glint", SDL_WINDOWPOS_UNDEFINED, SDL_WINDOWPOS_UNDEFINED, width, height,
+                            SDL_WINDOW_RESIZABLE);
+}
+
+/** Returns whether SDL draws where nobody sees it. It does so by itself where there is no display. */
+static bool is_unseen(void) {
+    const char *driver = SDL_GetCurrentVideoDriver();
+    return SDL_getenv("SDL_VIDEODRIVER") == NULL && (strcmp(driver, "offscreen") == 0 || strcmp(driver, "dummy") == 0);
+}
+
 /** Opens what is named, and a window. @return 0, or an exit status */
 static int start(shell *all, const host_settings *settings) {
     host_problem problem;
@@ -184,8 +222,11 @@ static int start(shell *all, const host_settings *settings) {
     if (SDL_Init(SDL_INIT_VIDEO) != 0) {
         return fail("no screen");
     }
-    all->window = SDL_CreateWindow("glint", SDL_WINDOWPOS_UNDEFINED, SDL_WINDOWPOS_UNDEFINED, CANVAS_WIDTH,
-                                   CANVAS_HEIGHT, SDL_WINDOW_RESIZABLE);
+    if (is_unseen()) {
+        SDL_SetError("there is no display");
+        return fail("no screen");
+    }
+    all->window = open_window();
     SDL_EventState(SDL_DROPFILE, SDL_ENABLE);
     return all->window != NULL ? 0 : fail("no window");
 }

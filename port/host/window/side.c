@@ -82,6 +82,21 @@ static const char *name_kind(const glint_light *light) {
     return light->type == &glint_light_point ? "point" : light->type == &glint_light_spot ? "spot" : "directional";
 }
 
+/** Writes the settings of fog, opacity and samples that are not off. */
+static void print_layers(writer *to, const window_state *state, const window_scene *built) {
+    static const char *const blends[WINDOW_BLENDS] = {"alpha", "added", "dithered"};
+    const window_changes *changes = &state->changes;
+    if (built->scene.fog != NULL) {
+        print(to, ink, "fog %s", built->scene.fog->type == &glint_fog_squared ? "squared" : "linear");
+    }
+    if (changes->passed > 0) {
+        print(to, ink, "opacity %g, %s", 1 - changes->passed / 4.0, blends[changes->blend]);
+    }
+    if (built->samples != NULL) {
+        print(to, ink, "2x2 samples");
+    }
+}
+
 static void print_light(writer *to, const window_state *state, const glint_scene *scene) {
     static const char *const terms[WINDOW_TERMS] = {"diffuse + specular", "specular alone", "diffuse alone"};
     const glint_object *object = find_lit(scene);
@@ -134,6 +149,7 @@ void window_draw_side(window_state *state, const window_frame *frame, const labe
     host_problem problem;
     print_panel(&to, state);
     if (window_build(state, &built, &problem)) {
+        print_layers(&to, state, &built);
         print_light(&to, state, &built.scene);
         window_scene_free(&built);
     }

@@ -41,15 +41,20 @@ typedef struct window_light {
 /** What keys and mouse have changed of the scene as it was loaded; zeroed, but for `zoom`, it changes nothing. */
 typedef struct window_changes {
     double yaw, pitch, zoom; /**< Degrees about what is looked at, and the distance's factor. */
-    bool has_lights;         /**< Whether these are in place of the scene's own. */
+    bool has_turn;
+    double turn[3][3]; /**< Turns the subject, by columns: where x, y and z go. */
+    bool has_lights;   /**< Whether these are in place of the scene's own. */
     window_light lights[GLINT_LIGHTS_MAX];
     uint32_t light_count, chosen; /**< The one that keys move. */
     bool has_evaluation, has_viewer;
     const glint_evaluation *evaluation;
     const glint_shading_model *reflection; /**< Or null for the materials' own. */
     glint_viewer viewer;
-    int exponent; /**< Eighths of a doubling. */
-    int terms;    /**< WINDOW_BOTH and so on. */
+    int exponent;              /**< Eighths of a doubling. */
+    int terms;                 /**< WINDOW_BOTH and so on. */
+    const glint_fog_type *fog; /**< Null for the scene's own. */
+    int passed;                /**< Quarters of light that go through the subject, 0 to 3. */
+    int blend;                 /**< How the subject blends then: one of window_blends. */
     bool dark, squashed, colours, shows_lights, lights_turn;
 } window_changes;
 
@@ -107,6 +112,8 @@ typedef struct window_scene {
     glint_object *objects;
     glint_material *materials;
     glint_mesh *meshes;
+    glint_fog fog;                              /**< Where the scene has some. */
+    const glint_sampling *samples;              /**< That are drawn with. */
     window_paint *paints;                       /**< Of the meshes that get colours here. */
     double right[3], up[3], back[3], target[3]; /**< Axes of the camera, and what it looks at. */
     double reach;                               /**< Half the height of the view there. */
@@ -131,6 +138,10 @@ typedef struct window_help {
 /** All of them, ended by one without keys. */
 extern const window_help window_helps[];
 
+/** How a subject that lets light through blends. */
+#define WINDOW_BLENDS 3
+extern const glint_blend window_blends[WINDOW_BLENDS];
+
 /** Clocks to choose from, MHz, from slow to fast. */
 #define WINDOW_BUSES 11
 extern const double window_buses[WINDOW_BUSES];
@@ -138,8 +149,11 @@ extern const double window_buses[WINDOW_BUSES];
 /** Takes a key. @param fine whether Shift is down */
 void window_key(window_state *state, int key, bool fine);
 
-/** The mouse was moved with its button down. */
+/** The mouse was moved with its left button down: turns the camera. */
 void window_drag(window_state *state, int across, int down);
+
+/** With its right button down: turns the subject. */
+void window_drag_subject(window_state *state, int across, int down);
 
 /** The wheel was turned; upwards is above 0 and goes nearer. */
 void window_wheel(window_state *state, int steps);

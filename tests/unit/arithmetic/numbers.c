@@ -222,13 +222,19 @@ static void turned_coordinates(void) {
     }
 }
 
-/* The thousandth is for the halves that the products may lose before they are added. */
+/* The thousandth is for the halves that the products may lose before they are added. The first poses have the most
+ * negative numbers alone, whose products are the largest of all. */
 static void poses_one_after_another(void) {
     long double worst = 0;
     for (int i = 0; i < 20000; i++) {
         glint_pose first = random_pose(1 + random_bits() % 32);
         glint_pose second = random_pose(1 + random_bits() % 32);
+        for (int entry = 0; entry < 12 && i == 0; entry++)
+            first.m[entry / 4][entry % 4] = second.m[entry / 4][entry % 4] = INT32_MIN;
         glint_pose both = glint_pose_then(&first, &second);
+        const glint_vector there =
+            glint_pose_apply(&second, (glint_vector){first.m[0][3], first.m[1][3], first.m[2][3]});
+        CHECK(there.x == both.m[0][3] && there.y == both.m[1][3] && there.z == both.m[2][3]);
         for (int entry = 0; entry < 12; entry++) {
             int row = entry / 4;
             int column = entry % 4;

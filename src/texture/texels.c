@@ -1,0 +1,287 @@
+/* SPDX-License-Identifier: MIT */
+/* Types of textures: how texels are stored. */
+#include "../pixel/pixel.h"
+#include "texture.h"
+
+static inline uint32_t rgb565_at(const glint_texture *texture, uint32_t number) {
+    return ((const uint16_t *)texture->texels)[number];
+}
+
+static inline uint32_t grey8_at(const glint_texture *texture, uint32_t number) {
+    return ((const uint8_t *)texture->texels)[number];
+}
+
+static inline uint32_t nibble_at(const glint_texture *texture, uint32_t number) {
+    const uint32_t pair = grey8_at(texture, number >> 1);
+    return number & 1 ? pair & 15 : pair >> 4;
+}
+
+static inline uint32_t palette256_at(const glint_texture *texture, uint32_t number) {
+    return texture->palette[grey8_at(texture, number)];
+}
+
+static inline uint32_t palette16_at(const glint_texture *texture, uint32_t number) {
+    return texture->palette[nibble_at(texture, number)];
+}
+
+/* The sums of the channels of texels: red and blue in the halves of a word, 5 bits each, and green, 6 bits, or grey, 8
+ * bits; times weights. */
+typedef struct texel_sum {
+    uint32_t red_blue, green;
+} texel_sum;
+
+static inline void add_texel(texel_sum *sum, uint32_t texel, uint32_t weight, int is_grey) {
+    if (!is_grey)
+        sum->red_blue += ((texel & 0xf800) << 5 | (texel & 31)) * weight;
+    sum->green += (is_grey ? texel : texel >> 5 & 63) * weight;
+}
+
+/* Finds a colour by up to four texels, which are words of RGB565, or of grey. A place between four texels has 5 bits in
+ * each direction, so that weights sum up to 2^10. */
+static GLINT_SPECIAL void sample_texels(const glint_texture_map *map, uint32_t u, uint32_t v, int16_t colour[3],
+                                        uint32_t (*at)(const glint_texture *texture, uint32_t number), int is_grey) {
+    const glint_texture *texture = map->texture;
+    texel_sum sum = {0, 0};
+    int32_t x = glint_texel_position(map, 0, u), y = glint_texel_position(map, 1, v);
+    if (map->is_bilinear) {
+        x = glint_shift_right(x - 124, 3), y = glint_shift_right(y - 124, 3);
+        const int32_t column = glint_shift_right(x, 5), row = glint_shift_right(y, 5);
+        const uint32_t left = glint_texel_column(map, column), right = glint_texel_column(map, column + 1),
+                       above = glint_texel_row(map, row), below = glint_texel_row(map, row + 1),
+                       across = (uint32_t)x & 31, down = (uint32_t)y & 31, both = across * down;
+        add_texel(&sum, at(texture, above + left), 1024 - 32 * (across + down) + both, is_grey);
+        add_texel(&sum, at(texture, above + right), 32 * across - both, is_grey);
+        add_texel(&sum, at(texture, below + left), 32 * down - both, is_grey);
+        add_texel(&sum, at(texture, below + right), both, is_grey);
+    } else {
+        add_texel(&sum,
+                  at(texture,
+                     glint_texel_column(map, glint_shift_right(x, 8)) + glint_texel_row(map, glint_shift_right(y, 8))),
+                  1024, is_grey);
+    }
+    if (is_grey) {
+        colour[0] = colour[1] = colour[2] = (int16_t)(sum.green * 257 >> 11);
+    } else {
+        colour[0] = (int16_t)((sum.red_blue >> 16) * 1057 >> 10);
+        colour[1] = (int16_t)(sum.green * 33288 >> 16);
+        colour[2] = (int16_t)((sum.red_blue & 0xffff) * 1057 >> 10);
+    }
+}
+
+/* Multiplies a channel by light, and adds highlights: lanes have half of both and a margin. Neither exceeds `most`. */
+static inline uint32_t shade_channel(uint32_t level, uint32_t light) {
+    return (uint32_t)((int32_t)level * (int32_t)(light - 2 * GLINT_WORN_MARGIN) + (1 << 14)) >> 15;
+}
+static inline uint32_t glow_channel(uint32_t level, uint32_t light, uint32_t gloss, int32_t most) {
+    const int32_t margin = 2 * GLINT_WORN_MARGIN,
+                  sum = (int32_t)level * ((int32_t)light - margin) + most * ((int32_t)gloss - margin) + (1 << 14);
+    return (uint32_t)glint_least(glint_most(glint_shift_right(sum, 15), 0), most);
+}
+
+/* Texels show as they are, times walk->lanes, or that plus walk->gloss. */
+enum { TEXELS_UNLIT, TEXELS_SHADED, TEXELS_GLOWING };
+
+/* Draws a span of RGB565 from texels of a type that has such colours. */
+static GLINT_SPECIAL void draw_texel_span(const glint_row_walk *walk, int32_t row, int32_t left, int32_t right,
+                                          uint32_t (*at)(const glint_texture *texture, uint32_t number), int swaps,
+                                          int kind) {
+    glint_texture_map *const map = walk->map;
+    const glint_texture *const texture = map->texture;
+    const uintptr_t from_depth = (uintptr_t)walk->pixels - (uintptr_t)walk->depth;
+    const uint32_t dz = (uint32_t)walk->z.dx;
+    uint32_t z = glint_z_at(walk, row, left);
+    uint16_t *depth = walk->depth + ((uint32_t)row << walk->shift) + left;
+    glint_lanes light = {0, 0}, gloss = {0, 0};
+    if (kind != TEXELS_UNLIT)
+        light = glint_lanes_at(walk, row, left);
+    if (kind == TEXELS_GLOWING)
+        gloss = glint_gloss_at(walk, left);
+    do {
+        glint_find_coordinates(map, row, left);
+        glint_stepped_quadratic u = map->at[0], v = map->at[1];
+        const int32_t stop = glint_least(map->right, right);
+        const uint16_t *const end = depth + (stop - left);
+        left = stop;
+        do {
+            uint32_t here = z >> 15;
+            GLINT_OPAQUE(here); /* else compilers compute it twice */
+            if (here > *depth) {
+                uint32_t colour = at(texture, glint_texel_number(map, u.value, v.value));
+                *depth = (uint16_t)here;
+                if (kind == TEXELS_SHADED)
+                    colour = shade_channel(colour >> 11, light.red_blue & 0xffff) << 11 |
+                             shade_channel(colour >> 5 & 63, light.green >> 16) << 5 |
+                             shade_channel(colour & 31, light.red_blue >> 16);
+                else if (kind == TEXELS_GLOWING)
+                    colour = glow_channel(colour >> 11, light.red_blue & 0xffff, gloss.red_blue & 0xffff, 31) << 11 |
+                             glow_channel(colour >> 5 & 63, light.green >> 16, gloss.green >> 16, 63) << 5 |
+                             glow_channel(colour & 31, light.red_blue >> 16, gloss.red_blue >> 16, 31);
+                *(uint16_t *)((uintptr_t)depth + from_depth) = (uint16_t)(swaps ? glint_to_high_first(colour) : colour);
+            }
+            z += dz;
+            glint_step_quadratic(&u, map->bend[0]);
+            glint_step_quadratic(&v, map->bend[1]);
+            if (kind != TEXELS_UNLIT) {
+                light.red_blue += walk->lanes[1].red_blue;
+                light.green += walk->lanes[1].green;
+            }
+            if (kind == TEXELS_GLOWING) {
+                gloss.red_blue += walk->gloss[1].red_blue;
+                gloss.green += walk->gloss[1].green;
+            }
+        } while (++depth != end);
+    } while (left < right);
+}
+
+/* Multiplies a word by a texel. */
+static inline uint32_t multiply_word(uint32_t word, uint32_t texel) {
+    const uint32_t red = (word >> 10 & 0x3ff) * (texel >> 11), green = (word >> 21) * (texel >> 5 & 63),
+                   blue = (word & 0x1ff) * (texel & 31);
+    return ((red * 1057 + (1u << 14)) >> 15 << 10) + ((green * 33288 + (1u << 20)) >> 21 << 21) +
+           ((blue * 1057 + (1u << 14)) >> 15);
+}
+
+#if !GLINT_SMALL
+/* Returns the word of a texel's fragment, given N'.L, N'.N' and N'.H, as sun_lists.c finds it. */
+static inline uint32_t light_texel(const glint_sun_triangle *t, uint32_t texel, uint32_t light, uint32_t square,
+                                   uint32_t half) {
+    const uint32_t over = glint_over_normal(square), half_level = t->suns->half_level, dark = t->dark - half_level;
+    if ((int32_t)light <= 0)
+        return multiply_word(dark, texel) + half_level;
+    const uint32_t word =
+        multiply_word(glint_clamp_word(dark + t->ramp[(light >> 14) * over >> 20]), texel) + half_level;
+    if (!t->lit->gloss)
+        return word;
+    const int32_t h = glint_shift_right((int32_t)half, 12);
+    const uint32_t entry = glint_entry_of_sine(t->suns, square - (uint32_t)h * (uint32_t)h, over);
+    return entry < GLINT_GLOSS_ENTRIES ? glint_clamp_word(word + t->gloss[entry]) : word;
+}
+
+/* Draws a span of RGB565 under one sun from texels of a type that has such colours. */
+static GLINT_SPECIAL void draw_sun_span(const glint_row_walk *walk, int32_t row, int32_t left, int32_t right,
+                                        uint32_t (*at)(const glint_texture *texture, uint32_t number), int swaps) {
+    const glint_sun_triangle *t = walk->suns;
+    glint_texture_map *const map = walk->map;
+    const uint32_t x = (uint32_t)(left - walk->slopes.column), y = (uint32_t)(row - walk->slopes.row);
+    uint32_t z = glint_z_at(walk, row, left), light = t->lit->light.value + x * t->lit->light.x + y * t->lit->light.y;
+    glint_stepped_quadratic square = glint_begin_quadratic(&t->normal, x, y), half = {0, 0};
+    uint16_t *depth = walk->depth + ((uint32_t)row << walk->shift) + left;
+    if (t->lit->gloss)
+        half = glint_begin_quadratic(&t->lit->half, x, y);
+    do {
+        glint_find_coordinates(map, row, left);
+        glint_stepped_quadratic u = map->at[0], v = map->at[1];
+        const int32_t stop = glint_least(map->right, right);
+        const uint16_t *const end = depth + (stop - left);
+        left = stop;
+        do {
+            uint32_t here = z >> 15;
+            GLINT_OPAQUE(here); /* else compilers compute it twice */
+            if (here > *depth) {
+                *depth = (uint16_t)here;
+                const uint32_t texel = at(map->texture, glint_texel_number(map, u.value, v.value)),
+                               packed = glint_spread_pack(light_texel(t, texel, light, square.value, half.value));
+                *(uint16_t *)((uintptr_t)depth + t->from_depth) =
+                    (uint16_t)(swaps ? glint_to_high_first(packed & 0xffff) : packed);
+            }
+            z += t->z_dx;
+            light += t->light_dx;
+            glint_step_quadratic(&square, t->square_bend);
+            glint_step_quadratic(&half, t->half_bend);
+            glint_step_quadratic(&u, map->bend[0]);
+            glint_step_quadratic(&v, map->bend[1]);
+        } while (++depth != end);
+    } while (left < right);
+}
+#endif
+
+/* Multiplies words by texels of a type that has colours of RGB565. */
+static GLINT_SPECIAL void multiply_by(const glint_row_walk *walk, int32_t row, uint32_t begin, glint_spread *p,
+                                      const glint_spread *end,
+                                      uint32_t (*at)(const glint_texture *texture, uint32_t number)) {
+    glint_texture_map *map = walk->map;
+    const uint32_t half_level = walk->draw->extra ? 0 : walk->suns->suns->half_level;
+    while (p != end) {
+        const int32_t column = (int32_t)(p->offset - begin);
+        if (row != map->row || column < map->left || column >= map->right)
+            glint_find_coordinates(map, row, column);
+        const glint_texture_run u = map->run[0], v = map->run[1];
+        const uint32_t origin = begin + (uint32_t)map->origin, count = (uint32_t)(map->right - column),
+                       first = p->offset;
+        do {
+            const uint32_t x = p->offset - origin,
+                           number = glint_texel_number(map, glint_coordinate_at(&u, x), glint_coordinate_at(&v, x)),
+                           colour = at(map->texture, number);
+            p->colour = multiply_word(p->colour, colour) + half_level;
+        } while (++p != end && p->offset - first < count);
+    }
+}
+
+#define DEFINE_SAMPLE(type, is_grey)                                                                     \
+    static void sample_##type(const glint_texture_map *map, uint32_t u, uint32_t v, int16_t colour[3]) { \
+        sample_texels(map, u, v, colour, type##_at, is_grey);                                            \
+    }
+
+DEFINE_SAMPLE(rgb565, 0)
+DEFINE_SAMPLE(palette256, 0)
+DEFINE_SAMPLE(palette16, 0)
+DEFINE_SAMPLE(grey8, 1)
+
+#define DEFINE_MULTIPLY(type)                                                                                       \
+    static GLINT_HOT void multiply_##type(const glint_row_walk *walk, int32_t row, uint32_t begin, glint_spread *p, \
+                                          const glint_spread *end) {                                                \
+        multiply_by(walk, row, begin, p, end, type##_at);                                                           \
+    }
+
+DEFINE_MULTIPLY(rgb565)
+DEFINE_MULTIPLY(palette256)
+DEFINE_MULTIPLY(palette16)
+
+#define DEFINE_DRAW(name, type, swaps, kind)                                                              \
+    static GLINT_HOT void name##_##type(glint_row_walk *walk, int32_t row, int32_t left, int32_t right) { \
+        draw_texel_span(walk, row, left, right, type##_at, swaps, kind);                                  \
+    }
+#define DEFINE_DRAWS(type)                        \
+    DEFINE_DRAW(draw, type, 0, TEXELS_UNLIT)      \
+    DEFINE_DRAW(draw_be, type, 1, TEXELS_UNLIT)   \
+    DEFINE_DRAW(shade, type, 0, TEXELS_SHADED)    \
+    DEFINE_DRAW(shade_be, type, 1, TEXELS_SHADED) \
+    DEFINE_DRAW(glow, type, 0, TEXELS_GLOWING)    \
+    DEFINE_DRAW(glow_be, type, 1, TEXELS_GLOWING)
+
+DEFINE_DRAWS(rgb565)
+DEFINE_DRAWS(palette256)
+DEFINE_DRAWS(palette16)
+
+#if GLINT_SMALL
+#define SUN_SPANS(type)
+#else
+#define SUN_SPANS(type) .sun = {sun_##type, sun_be_##type},
+#define DEFINE_SUN(name, type, swaps)                                                                     \
+    static GLINT_HOT void name##_##type(glint_row_walk *walk, int32_t row, int32_t left, int32_t right) { \
+        draw_sun_span(walk, row, left, right, type##_at, swaps);                                          \
+    }
+DEFINE_SUN(sun, rgb565, 0)
+DEFINE_SUN(sun_be, rgb565, 1)
+DEFINE_SUN(sun, palette256, 0)
+DEFINE_SUN(sun_be, palette256, 1)
+DEFINE_SUN(sun, palette16, 0)
+DEFINE_SUN(sun_be, palette16, 1)
+#endif
+
+#define DEFINE_TYPE(type, stored, has, reads)                                                    \
+    const glint_texture_type glint_texture_##type = {.bits = (stored),                           \
+                                                     .has_palette = (has),                       \
+                                                     .read = (reads),                            \
+                                                     .sample = sample_##type,                    \
+                                                     .draw = {draw_##type, draw_be_##type},      \
+                                                     .shade = {shade_##type, shade_be_##type},   \
+                                                     .glow = {glow_##type, glow_be_##type},      \
+                                                     SUN_SPANS(type).multiply = multiply_##type, \
+                                                     .stage = &glint_textures}
+
+DEFINE_TYPE(rgb565, 16, 0, rgb565_at);
+DEFINE_TYPE(palette256, 8, 1, grey8_at);
+DEFINE_TYPE(palette16, 4, 1, nibble_at);
+const glint_texture_type glint_texture_grey8 = {
+    .bits = 8, .read = grey8_at, .sample = sample_grey8, .stage = &glint_textures};
