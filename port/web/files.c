@@ -2,7 +2,7 @@
 /**
  * @file files.c
  * Files in memory, in place of the host's output.c: those that the page was given, and one that is written. No other
- * program is run, in place of importer.c.
+ * program is run and no other format than OBJ is read, in place of importer.c and reader.c.
  */
 #include "files.h"
 
@@ -114,6 +114,17 @@ bool importer_takes(const char *name) {
 bool importer_load(const char *name, const child_limits *limits, host_mesh *mesh, host_materials *materials,
                    host_warnings *warnings, host_problem *problem) {
     (void)name, (void)limits, (void)mesh, (void)materials, (void)warnings;
+    return problem_set(problem, 0, "only OBJ files are read here");
+}
+
+bool reader_takes(const char *name) {
+    (void)name;
+    return false;
+}
+
+bool reader_load(const char *name, const host_bytes *file, host_mesh *mesh, host_materials *materials,
+                 host_warnings *warnings, host_problem *problem) {
+    (void)name, (void)file, (void)mesh, (void)materials, (void)warnings;
     return problem_set(problem, 0, "only OBJ files are read here");
 }
 

@@ -109,6 +109,7 @@ int EXPORT(web_load)(char *words, size_t size) {
     const bool ok = command_load(&settings, false, &model, &mesh);
     if (ok) {
         command_print_warnings(&settings, &model);
+        command_warn_of_size(&settings, &model.materials, &mesh);
     }
     loaded_end = web_heap_top();
     return ok;
@@ -125,11 +126,10 @@ double EXPORT(web_half_side)(void) {
 
 /* ---- Drawing ----------------------------------------------------------------------------------------------------- */
 
-/** Prints how much arena the scene takes. */
+/** Prints how much arena the scene takes. As on a board, a tile is sent while the next one is drawn. */
 static void print_needs(void) {
-    const glint_config config = measure_configuration(&settings);
     glint_need need = {0};
-    if (glint_arena_need(&config, drawn, &need) != GLINT_OK) {
+    if (view_need(drawn, &settings, &need) != GLINT_OK) {
         return;
     }
     printf("need_least %zu\nneed_resident %zu\nneed_one_pass %zu\n", need.least, need.resident, need.one_pass);
@@ -207,6 +207,7 @@ int EXPORT(web_draw_scene)(uint32_t scene, uint32_t variant, char *words, size_t
         return 0;
     }
     example_scenes[scene]->build(&stage, variant, settings.frame % example_scenes[scene]->frames);
+    settings.samples = settings.samples_given ? settings.samples : stage.samples;
     return draw(&stage.scene);
 }
 
@@ -243,7 +244,7 @@ const char *EXPORT(web_convert)(char *words, size_t size) {
 /**
  * Holds the drawing against the reference.
  * @param same 0: lit at each pixel, for a local viewer; else shaded in the same way, in double precision
- * @return 1, or 0 where nothing was drawn or the scene has too many objects
+ * @return 1, or 0 where nothing was drawn, the scene has too many objects, or is not what the reference draws
  */
 int EXPORT(web_measure)(int same) {
     measured_errors sums;

@@ -27,12 +27,10 @@ def until(holds):
 
 class Screen:
     """An X server of its own; what it shows is read from the file that it keeps its framebuffer in."""
-    WIDTH, HEIGHT = 1400, 800
-
-    def __init__(self):
+    def __init__(self, width=1400, height=840):
         self.folder = tempfile.TemporaryDirectory(prefix="glint-view-")
         read, write = os.pipe()
-        self.server = subprocess.Popen(["Xvfb", "-displayfd", str(write), "-screen", "0", "%dx%dx24" % (self.WIDTH, self.HEIGHT),
+        self.server = subprocess.Popen(["Xvfb", "-displayfd", str(write), "-screen", "0", "%dx%dx24" % (width, height),
                                         "-fbdir", self.folder.name, "-nolisten", "tcp", "-noreset"],
                                        pass_fds=[write], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
         os.close(write)

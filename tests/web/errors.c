@@ -1,13 +1,16 @@
 /* SPDX-License-Identifier: MIT */
 /*
  * The errors of a picture as this machine computes them: errors COMMAND SAME WORD... with the words of `glint render`
- * or `glint scene`. Writes each pixel's as a float to stdout.
+ * or `glint scene`. Writes each pixel's as a float to stdout. Ends with 3 where sums are not those of the suites'
+ * judge.
  */
 #include "command.h"
+#include "judge.h"
 #include "measure.h"
 #include "scenes/scenes.h"
 #include "view.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -15,6 +18,21 @@
 static int complain(const host_problem *problem) {
     problem_print(NULL, problem);
     return 1;
+}
+
+/** The judge draws the picture anew. */
+static int is_judged_so(const glint_scene *scene, const host_settings *settings, const measured_errors *sums) {
+    const glint_format *format = measure_configuration(settings).format;
+    const judge_task task = {.scene = scene,
+                             .width = settings->width,
+                             .height = settings->height,
+                             .format = format,
+                             .leave_out_gates = 1,
+                             .fine = 1};
+    judgement total = {0};
+    judge(&task, &total);
+    return total.status == GLINT_OK && fabs(total.worst - sums->worst) < 1e-6 &&
+           fabs(total.squares / (double)total.samples - sums->squares / sums->samples) < 1e-9;
 }
 
 static int write_errors(const glint_scene *scene, const host_settings *settings, int same) {
@@ -27,7 +45,10 @@ static int write_errors(const glint_scene *scene, const host_settings *settings,
     }
     float *errors = measure_errors(scene, settings, &target, same, &sums);
     const size_t count = (size_t)target.width * target.height;
-    const int failed = errors == NULL || fwrite(errors, sizeof *errors, count, stdout) != count;
+    int failed = errors == NULL || fwrite(errors, sizeof *errors, count, stdout) != count;
+    if (!failed && same && !is_judged_so(scene, settings, &sums)) {
+        failed = 3;
+    }
     free(errors);
     framebuffer_free(&target);
     return failed;

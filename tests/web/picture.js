@@ -9,7 +9,7 @@ const { chromium } = require("playwright-core");
 
 const [index, picture] = process.argv.slice(2);
 const browser = await chromium.launch({ executablePath: "/usr/bin/chromium", args: ["--no-sandbox", "--force-color-profile=srgb"] });
-const page = await browser.newPage({ viewport: { width: 1120, height: 1070 } });
+const page = await browser.newPage({ viewport: { width: 1120, height: 800 } });
 await page.goto(pathToFileURL(path.resolve(index)).href);
 await page.waitForFunction(() => document.body.dataset.settled, null, { timeout: 60000 });
 await page.screenshot({ path: picture });

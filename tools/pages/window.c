@@ -27,7 +27,7 @@ static int write_canvas(const label_picture *canvas, const char *path) {
 
 int main(int count, char *arguments[]) {
     static window_state state;
-    static const char keys[] = "DW";
+    static const char keys[] = "D";
     host_settings settings;
     host_problem problem;
     char path[1000];

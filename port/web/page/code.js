@@ -29,23 +29,34 @@ const sceneAsC = (() => {
   }
 
   function material(words) {
+    const flags = [...(S.larger ? ["GLINT_MATERIAL_MAX_WITH_AMBIENT"] : []), ...(S.ungated ? ["GLINT_MATERIAL_SPECULAR_UNGATED"] : [])];
     return `static const glint_material material = {
     .model = &glint_model_${MODELS[S.model] || S.model},
     .ambient = ${braced(three(option(words, "--ambient")))},
     .diffuse = ${braced(three(option(words, "--diffuse")))},
     .specular = ${braced(three(option(words, "--specular")))},
-    .shininess = ${q16(option(words, "--shininess"))},
+    .shininess = ${q16(option(words, "--shininess"))},${flags.length ? `\n    .flags = ${flags.join(" | ")},` : ""}${blending()}
 };
 `;
   }
 
+  const BLEND = { alpha: "ALPHA", add: "ADD", dithered: "DITHERED" };
+  const blending = () => (S.opacity < 1 ? `\n    .blend = GLINT_BLEND_${BLEND[S.blend]},\n    .opacity = ${q16(option(opacityWords(), "--opacity"))},` : "");
+
+  function fog() {
+    const [from, to] = option(fogWords(), "--fog").split(":");
+    return `\nstatic const glint_fog fog = {.type = &glint_fog_${S.fog}, .start = ${q16(from)}, .end = ${q16(to)}, .to_background = 1};\n`;
+  }
+
   function light(word) {
     const [kind, place, ...rest] = word.split(":");
-    const colour = braced(rest[rest.length - 1]);
-    const [inner, outer] = kind === "spot" ? rest[1].split(",") : [];
-    const cone = kind === "spot" ? `\n     .direction = ${braced(rest[0])}, .inner = ${q16(inner)}, .outer = ${q16(outer)},` : "";
+    const [axis, angles] = kind === "spot" ? rest.splice(0, 2) : ["", ""];
+    const [inner, outer] = angles.split(",");
+    const [colour, linear, quadratic] = [braced(rest[0]), ...rest.slice(1)];
+    const cone = kind === "spot" ? `\n     .direction = ${braced(axis)}, .inner = ${q16(inner)}, .outer = ${q16(outer)},` : "";
+    const fading = linear ? `\n     .linear = ${q16(linear)}, .quadratic = ${q16(quadratic)},` : "";
     const at = kind === "dir" ? `.direction = ${braced(negated(place))}` : `.position = ${braced(place)}`;
-    return `    {.type = &glint_light_${TYPES[kind]}, ${at},${cone}
+    return `    {.type = &glint_light_${TYPES[kind]}, ${at},${cone}${fading}
      .diffuse = ${colour}, .specular = ${colour}},
 `;
   }
@@ -90,7 +101,7 @@ ${list.map((mesh) => `        {.mesh = ${mesh}, .material = &material, .pose = p
 ` };
   }
 
-  function panelCode() {
+  function panelCode(layers, samples) {
     const panel = driver();
     const [tileWidth, tileHeight] = S.tile.split("x");
     const name = S.format + (S.dither ? "_dithered" : "");
@@ -114,10 +125,15 @@ ${list.map((mesh) => `        {.mesh = ${mesh}, .material = &material, .pose = p
         ${output}${tile}
         .arena = arena,
         .arena_size = sizeof arena,
-        .keeps_arena = 1,
+        .keeps_arena = 1,${layers ? `\n        .layers = ${layers},` : ""}${samples ? `\n        .samples = ${samples},` : ""}
     };
 `;
   }
+
+  const samples = () => (S.smooth ? "&glint_samples_2x2" : "");
+
+  // What is not in glint.h is in glint_extras.h.
+  const complete = (text) => (/&glint_(layers|fog|samples)/.test(text) ? text.replace(/#include "(glint|board)\.h"\n/, '$&#include "glint_extras.h"\n') : text);
 
   function head() {
     const panel = driver();
@@ -128,7 +144,7 @@ ${list.map((mesh) => `        {.mesh = ${mesh}, .material = &material, .pose = p
 
   function arena() {
     const size = S.arena || stats.need_one_pass;
-    return `static uint32_t arena[${Math.ceil(size / 4)}]; /* ${S.arena ? "more of it takes fewer passes" : "of one pass"} */\n`;
+    return `static uint32_t arena[${Math.ceil(size / 4)}]; /* ${S.arena ? "more of it takes fewer passes" : "one pass of this picture"} */\n`;
   }
 
   const run = (scene, before) => `    glint_renderer renderer;
@@ -140,20 +156,20 @@ ${list.map((mesh) => `        {.mesh = ${mesh}, .material = &material, .pose = p
 
   function modelProgram() {
     const text = meshes(), own = S.own && isFile() && text.includes("model_objects"), list = objects(text);
-    const count = lights().length;
+    const count = lights().length, blends = own ? text.includes("GLINT_BLEND_ALPHA") : S.opacity < 1;
     return `${head()}
 ${text}
-${own ? "" : material(surfaceWords())}${allLights()}
+${own ? "" : material(surfaceWords())}${allLights()}${S.fog === "none" ? "" : fog()}
 ${arena()}
 int main(void) {
-${panelCode()}    const glint_pose tilt = glint_pose_rotate_x(${q16(decimal(S.tilt))}), turn = glint_pose_rotate_y(${q16(decimal(S.turn))});
+${panelCode(blends ? "&glint_layers" : "", samples())}    const glint_pose tilt = glint_pose_rotate_x(${q16(decimal(S.tilt))}), turn = glint_pose_rotate_y(${q16(decimal(S.turn))});
     const glint_pose pose = glint_pose_then(&tilt, &turn);
 ${list.code}    const glint_vector eye = ${braced(joined(eye()))}, at = {0, 0, 0}, up = {0, GLINT_ONE, 0};
     glint_scene scene = {
         .camera = {.field_of_view = ${q16(String(FIELD_OF_VIEW))}, .near_plane = GLINT_Q16(0.1)},
         .viewer = GLINT_VIEWER_${S.local ? "LOCAL" : "INFINITE"},
         .background = ${braced(channels(S.ground))},
-        .ambient = {GLINT_ONE, GLINT_ONE, GLINT_ONE},${count ? `\n        .lights = lights,\n        .light_count = ${count},` : ""}
+        .ambient = {GLINT_ONE, GLINT_ONE, GLINT_ONE},${count ? `\n        .lights = lights,\n        .light_count = ${count},` : ""}${S.fog === "none" ? "" : "\n        .fog = &fog,"}
         .objects = objects,
         .object_count = ${list.count},
     };
@@ -161,14 +177,14 @@ ${run("&scene", " || glint_camera_look_at(&scene.camera, eye, at, up)")}`;
   }
 
   function sceneProgram() {
-    const { scene, variant } = chosenScene();
+    const { scene, variant } = chosenScene(), smooth = samples();
     return `${head()}#include "scenes/scenes.h"
 
 static example_stage stage;
 ${arena()}
 int main(void) {
-${panelCode()}    example_${scenes[scene].name.replace(/-/g, "_")}.build(&stage, ${variant}, ${S.frame}); /* ${scenes[scene].variants[variant].name} */
-${run("&stage.scene", "")}`;
+    example_${scenes[scene].name.replace(/-/g, "_")}.build(&stage, ${variant}, ${S.frame}); /* ${scenes[scene].variants[variant].name} */
+${panelCode("stage.layers", smooth || "stage.samples")}${run("&stage.scene", "")}`;
   }
 
   return () => {
@@ -176,7 +192,7 @@ ${run("&stage.scene", "")}`;
       ...(isScene() ? ["examples/scenes/*.c"] : [])];
     const paths = ["src/", ...(driver() ? ["port/"] : []), ...(isScene() ? ["examples/"] : [])];
     return {
-      text: isScene() ? sceneProgram() : modelProgram(),
+      text: complete(isScene() ? sceneProgram() : modelProgram()),
       note: `The whole program. Add ${parts.join(", ")} to the build; include paths: ${paths.join(", ")}. Link with --gc-sections. ` +
         (driver() ? "" : "No driver here takes these pixels at this size: display_flush is yours to write."),
     };

@@ -40,6 +40,8 @@ const PANELS = {
   own: { name: "another size" },
 };
 const FORMATS = { rgb565: "RGB565", rgb444: "RGB444", rgb888: "RGB888", grey8: "256 greys", grey4: "16 greys", mono: "1 bit" };
+const BLENDS = { alpha: "alpha", add: "added", dithered: "dithered" };
+const FOGS = ["none", "linear", "squared"];
 const CORES = { m0: "Cortex-M0", m3: "Cortex-M3", m4: "Cortex-M4", rv32: "RV32IMC" };
 const TILES = [8, 16, 32, 64].flatMap((height) => [8, 16, 32, 64].map((width) => `${width}x${height}`));
 
@@ -47,10 +49,11 @@ const TILES = [8, 16, 32, 64].flatMap((height) => [8, 16, 32, 64].map((width) =>
 
 const DEFAULTS = {
   m: "torus:12x8", frame: 0, turn: 20, tilt: -50, above: 0, zoom: 1,
-  at: "fragment", model: "blinn-phong", p: 50, paint: "2f7fe0", ambient: 0.12, highlight: 0.7, metal: 0, local: 1, own: 0,
+  at: "fragment", model: "blinn-phong", p: 50, paint: "2f7fe0", ambient: 0.12, highlight: 0.7, metal: 0, local: 1, larger: 0, ungated: 0, own: 0,
+  opacity: 1, blend: "alpha", fog: "none", from: 4.5, to: 7, smooth: 0,
   lights: "dir,-40,45,5,ffffff,1,20",
   panel: "ili9341", w: 320, h: 240, format: "rgb565", dither: 0, ground: "000000",
-  tile: "32x32", arena: 0, show: "picture", against: "exact", core: "m3",
+  tile: "32x32", arena: 0, show: "picture", against: "same", core: "m3",
 };
 const NEW_LIGHT = "point,60,10,4,ffb060,0.8,20";
 let S = { ...DEFAULTS };
@@ -67,6 +70,7 @@ function readAddress() {
   S.h = limit(Math.round(S.h), 8, 1024);
   S.panel = S.panel in PANELS ? S.panel : "own";
   const known = { at: EVALUATIONS.map(([key]) => key), model: Object.keys(REFLECTIONS), format: Object.keys(FORMATS), tile: TILES,
+    blend: Object.keys(BLENDS), fog: FOGS,
     show: ["picture", "errors"], against: ["exact", "same"], core: Object.keys(CORES) };
   for (const [key, values] of Object.entries(known)) {
     S[key] = values.includes(S[key]) ? S[key] : DEFAULTS[key];
@@ -84,12 +88,14 @@ function address() {
 }
 
 const lights = () => S.lights.split("~").filter(Boolean).map((text) => {
-  const [kind, yaw, pitch, far, colour, power, cone] = text.split(",");
-  return { kind: ["point", "spot"].includes(kind) ? kind : "dir", yaw: +yaw || 0, pitch: +pitch || 0, far: +far || 5, colour: /^[0-9a-f]{6}$/.test(colour) ? colour : "ffffff", power: +power || 0, cone: +cone || 20 };
+  const [kind, yaw, pitch, far, colour, power, cone, linear, quadratic] = text.split(",");
+  return { kind: ["point", "spot"].includes(kind) ? kind : "dir", yaw: +yaw || 0, pitch: +pitch || 0, far: +far || 5, colour: /^[0-9a-f]{6}$/.test(colour) ? colour : "ffffff", power: +power || 0, cone: +cone || 20,
+    linear: +linear || 0, quadratic: +quadratic || 0 };
 }).slice(0, 8);
 
 function setLights(list) {
-  S.lights = list.map((l) => [l.kind, l.yaw, l.pitch, l.far, l.colour, l.power, l.cone].join(",")).join("~");
+  S.lights = list.map((l) => [l.kind, l.yaw, l.pitch, l.far, l.colour, l.power, l.cone,
+    ...(l.linear || l.quadratic ? [l.linear, l.quadratic] : [])].join(",")).join("~");
 }
 
 const isScene = () => S.m.startsWith("scene:");
@@ -121,7 +127,8 @@ function directionOf({ yaw, pitch }) {
 const joined = (vector, factor = 1) => vector.map((x) => decimal(x * factor)).join(",");
 
 function lightWord(light) {
-  const world = toWorld(directionOf(light)), colour = channels(light.colour, light.power);
+  const world = toWorld(directionOf(light)), fades = light.linear || light.quadratic;
+  const colour = channels(light.colour, light.power) + (fades && light.kind !== "dir" ? `:${decimal(light.linear)}:${decimal(light.quadratic)}` : "");
   switch (light.kind) {
     case "point": return `point:${joined(world, light.far)}:${colour}`;
     case "spot": return `spot:${joined(world, light.far)}:${joined(world, -1)}:${decimal(light.cone * 0.7)},${decimal(light.cone)}:${colour}`;
@@ -143,28 +150,32 @@ let dropped = [];
 const modelWords = () => [S.m, ...(isFile() ? ["--centre", "--scale", scaleOf()] : [])];
 const scaleOf = () => decimal(Number((1 / loaded.half).toPrecision(4)), 9);
 
-function outputWords() {
-  return ["--size", `${S.w}x${S.h}`, "--format", S.format, ...(S.dither ? ["--dither"] : []),
-    ...(S.tile !== DEFAULTS.tile ? ["--tile", S.tile] : []), ...(S.arena ? ["--arena", String(S.arena)] : [])];
+function outputWords(arena = S.arena) {
+  return ["--size", `${S.w}x${S.h}`, "--format", S.format, ...(S.dither ? ["--dither"] : []), ...(S.smooth ? ["--samples", "2x2"] : []),
+    ...(S.tile !== DEFAULTS.tile ? ["--tile", S.tile] : []), ...(arena ? ["--arena", String(arena)] : [])];
 }
+
+const opacityWords = () => (S.opacity < 1 ? ["--opacity", decimal(S.opacity, 2), "--blend", S.blend] : []);
+const fogWords = () => (S.fog === "none" ? [] : ["--fog", `${decimal(S.from, 2)}:${decimal(Math.max(S.to, S.from + 0.1), 2)}`, "--fog-type", S.fog]);
 
 function surfaceWords() {
   if (S.own && isFile()) {
     return [];
   }
   return ["--model", S.model, "--ambient", channels(S.paint, S.ambient), "--diffuse", channels(S.paint),
-    "--specular", S.metal ? channels(S.paint, S.highlight) : decimal(S.highlight, 3), "--shininess", decimal(S.p, 2)];
+    "--specular", S.metal ? channels(S.paint, S.highlight) : decimal(S.highlight, 3), "--shininess", decimal(S.p, 2),
+    ...(S.larger ? ["--combine", "max"] : []), ...(S.ungated ? ["--ungated"] : []), ...opacityWords()];
 }
 
 function drawWords(evaluation) {
   return [...modelWords(), "--eye", joined(eye()), "--at", "0,0,0", "--fov", String(FIELD_OF_VIEW), "--rotate-x", decimal(S.tilt),
     "--rotate-y", decimal(S.turn), ...surfaceWords(), "--shading", evaluation, "--viewer", S.local ? "local" : "infinite",
-    "--background", channels(S.ground), ...(lights().length ? lights() : [{ ...lightOff }]).flatMap((light) => ["--light", lightWord(light)]),
-    ...outputWords()];
+    "--background", channels(S.ground), ...fogWords(), ...(lights().length ? lights() : [{ ...lightOff }]).flatMap((light) => ["--light", lightWord(light)]),
+    ...outputWords(evaluation === S.at ? S.arena : 0)];
 }
 
 // Without lights the program would add one of its own.
-const lightOff = { kind: "dir", yaw: 0, pitch: 0, far: 5, colour: "000000", power: 0, cone: 20 };
+const lightOff = { kind: "dir", yaw: 0, pitch: 0, far: 5, colour: "000000", power: 0, cone: 20, linear: 0, quadratic: 0 };
 
 const sceneWords = () => [S.m.slice("scene:".length), "--frame", String(S.frame), ...outputWords()];
 
@@ -211,7 +222,7 @@ function drawOnce(evaluation) {
   return Glint.draw([...drawWords(evaluation), "--stats"]);
 }
 
-// An arena that has become too small grows to the least that will do.
+// An arena that has become too small grows to the least that will do. Ways of shading that are not chosen take what they need.
 function draw(evaluation = S.at) {
   let picture = drawOnce(evaluation);
   if (!picture.pixels && S.arena && picture.stats.need_least > S.arena) {
@@ -259,13 +270,13 @@ function show(canvas, picture) {
   paint(canvas, picture, S.show === "errors" && picture.errors ? heatPixels(picture.errors) : picture.pixels);
 }
 
-// Pixels of the panel are whole numbers of the screen's.
+// Pixels of the panel are whole numbers of the screen's, but where the picture is as wide as a phone.
 function fitCanvas() {
   const style = getComputedStyle($("panel")), frame = 2 * parseFloat(getComputedStyle($("glass")).borderLeftWidth);
   const room = $("panel").clientWidth - parseFloat(style.paddingLeft) - parseFloat(style.paddingRight) - frame;
-  const tall = Math.max(160, innerWidth < 960 ? innerHeight * 0.4 : innerHeight - 400); // what stands below is seen too
-  const dots = devicePixelRatio || 1;
-  const times = Math.max(1, Math.floor(Math.min((room * dots) / S.w, (tall * dots) / S.h)));
+  const tall = Math.max(160, innerWidth < 960 ? innerHeight * 0.5 : innerHeight - 200); // what stands below is seen too
+  const dots = devicePixelRatio || 1, most = Math.min((room * dots) / S.w, (tall * dots) / S.h);
+  const times = matchMedia("(max-width: 30rem)").matches ? most : Math.max(1, Math.floor(most));
   $("canvas").style.width = `${(S.w * times) / dots}px`;
   $("canvas").style.height = "auto";
 }
@@ -319,13 +330,13 @@ async function compare() {
   const mine = generation;
   const list = isScene() ? [S.at] : EVALUATIONS.map(([key]) => key).sort((a, b) => (b === S.at) - (a === S.at));
   for (const evaluation of list) {
-    const drawn = draw(evaluation);
-    const picture = drawn.pixels ? Glint.measure(S.against === "same") : drawn;
-    if (picture.pixels && !isScene()) {
+    let picture = draw(evaluation);
+    if (picture.pixels && !isScene()) { // all against the same picture
+      picture = Glint.measure(false);
       showThumb(evaluation, picture);
     }
     if (isScene() || evaluation === S.at) {
-      stats = picture.stats;
+      stats = (picture.pixels ? Glint.measure(S.against === "same") : picture).stats;
       showStats();
     }
     await pause();
@@ -352,6 +363,9 @@ function showStats() {
   if (stats.psnr !== undefined) {
     parts.push(`${stats.psnr.toFixed(1)} dB PSNR, worst pixel ${steps(stats.worst_steps)} steps off`);
   }
+  if (stats.passes && stats.psnr === undefined) {
+    parts.push("errors are measured of opaque objects, without fog and smooth edges");
+  }
   if (stats.passes) {
     parts.push(`${bytes(S.arena || stats.need_one_pass)} of working memory, ${stats.passes === 1 ? "one pass" : stats.passes + " passes"}`);
   }
@@ -372,7 +386,7 @@ function describe() {
   }
   const name = shapeOf() ? shapeOf().name : S.m.split("/").pop();
   const shading = EVALUATIONS.find(([key]) => key === S.at);
-  return `${name} of ${stats.scene_triangles} triangles, ${REFLECTIONS[S.model]} with exponent ${decimal(S.p, 1)}, lit ${shading[1].toLowerCase()}, ` +
+  return `${name} of ${stats.scene_triangles} triangles, ${REFLECTIONS[S.model]} with exponent ${decimal(S.p, 2)}, lit ${shading[1].toLowerCase()}, ` +
     `${["no light", "one light"][lights().length] || `${lights().length} lights`}, ${S.w} by ${S.h} pixels, ${format}${S.show === "errors" ? "; shown as an error map" : ""}.`;
 }
 
@@ -440,6 +454,11 @@ function flashRows(of) {
       rows.push([`${kind} light`, less(kind, "the base")]);
     }
   }
+  for (const [name, isOn] of [["opacity", S.opacity < 1], ["fog", S.fog !== "none"], ["2x2 samples", S.smooth]]) {
+    if (isOn && of[name]) {
+      rows.push([name, less(name, "the base")]);
+    }
+  }
   return rows;
 }
 
@@ -486,26 +505,34 @@ function set(changes) {
 
 function exponentOf(place) {
   const p = 2 ** place;
-  return p < 10 ? +p.toFixed(1) : Math.round(p);
+  return p < 10 ? +p.toFixed(p < 1 ? 2 : 1) : Math.round(p);
 }
+
+// An angle in words, as a minus sign is not always read out.
+const side = (degrees, less, more) => `${Math.abs(degrees)}°${degrees < 0 ? ` ${less}` : degrees > 0 ? ` ${more}` : ""}`;
+const sideways = (degrees) => side(degrees, "left", "right");
 
 // A slider: how it shows a state, and what it changes.
 const SLIDERS = {
-  turn: { get: () => S.turn, set: (v) => ({ turn: v }), text: (v) => `${v}°` },
-  tilt: { get: () => S.tilt, set: (v) => ({ tilt: v }), text: (v) => `${v}°` },
-  above: { get: () => S.above, set: (v) => ({ above: v }), text: (v) => `${v}°` },
+  turn: { get: () => S.turn, set: (v) => ({ turn: v }), text: sideways },
+  tilt: { get: () => S.tilt, set: (v) => ({ tilt: v }), text: (v) => side(v, "back", "forward") },
+  above: { get: () => S.above, set: (v) => ({ above: v }), text: (v) => side(v, "below", "above") },
   zoom: { get: () => S.zoom, set: (v) => ({ zoom: v }), text: (v) => `× ${v}` },
   frame: { get: () => S.frame, set: (v) => ({ frame: v }), text: (v) => String(v) },
   detail: { get: () => (shapeOf() ? shapeOf().counts.indexOf(S.m.split(":")[1]) : 0),
     set: (v) => ({ m: `${S.m.split(":")[0]}:${shapeOf().counts[v]}` }), text: () => String(stats.scene_triangles || "") },
-  shininess: { get: () => Math.log2(Math.max(1, S.p)), set: (v) => ({ p: exponentOf(v) }), text: () => decimal(S.p, 1) },
+  shininess: { get: () => Math.log2(Math.max(1 / 16, S.p)), set: (v) => ({ p: exponentOf(v) }), text: () => decimal(S.p, 2) },
   ambient: { get: () => S.ambient, set: (v) => ({ ambient: v }), text: (v) => `${Math.round(v * 100)} %` },
+  opacity: { get: () => S.opacity, set: (v) => ({ opacity: v }), text: (v) => `${Math.round(v * 100)} %` },
+  from: { get: () => S.from, set: (v) => ({ from: v }), text: String },
+  to: { get: () => S.to, set: (v) => ({ to: v }), text: String },
   highlight: { get: () => S.highlight, set: (v) => ({ highlight: v }), text: (v) => `${Math.round(v * 100)} %` },
   arena: { get: () => (S.arena && stats.need_one_pass > stats.need_least ? Math.min(99, Math.round((100 * (S.arena - stats.need_least)) / (stats.need_one_pass - stats.need_least))) : 100),
     set: (v) => ({ arena: v >= 100 || !stats.need_least ? 0 : Math.round(stats.need_least + ((stats.need_one_pass - stats.need_least) * v) / 100) }),
     text: () => bytes(S.arena || stats.need_one_pass || 0) },
 };
-for (const [key, text] of [["yaw", (v) => `${v}°`], ["pitch", (v) => `${v}°`], ["far", (v) => String(v)], ["cone", (v) => `${v}°`], ["power", (v) => `${Math.round(v * 100)} %`]]) {
+for (const [key, text] of [["yaw", sideways], ["pitch", (v) => side(v, "down", "up")], ["far", String], ["linear", String], ["quadratic", String],
+  ["cone", (v) => `${v}°`], ["power", (v) => `${Math.round(v * 100)} %`]]) {
   SLIDERS[`light-${key}`] = { get: () => (lights()[chosenLight] || lightOff)[key], set: (v) => changeLight({ [key]: v }), text };
 }
 
@@ -516,9 +543,9 @@ function changeLight(change, index = chosenLight) {
   return {};
 }
 
-const BOXES = { metal: "metal", local: "local", own: "own", dither: "dither" };
+const BOXES = { metal: "metal", local: "local", larger: "larger", ungated: "ungated", own: "own", dither: "dither", smooth: "smooth" };
 const COLOURS = { paint: "paint", background: "ground" };
-const CHOICES = { reflection: "model", format: "format", tile: "tile", core: "core", against: "against" };
+const CHOICES = { reflection: "model", blend: "blend", fog: "fog", format: "format", tile: "tile", core: "core", against: "against" };
 
 function fillSelects() {
   const option = (value, text) => new Option(text, value);
@@ -602,7 +629,6 @@ function choosePanel(key) {
 function showControls() {
   const scene = isScene() ? chosenScene() : null;
   document.querySelectorAll(".model-only").forEach((part) => (part.hidden = Boolean(scene)));
-  $("shadings").hidden = Boolean(scene);
   $("scene-note").hidden = !scene;
   $("scene-note").textContent = scene ? `${scenes[scene.scene].variants[scene.variant].lookFor} A scene brings its own lights and surfaces.` : "";
   $("frame-field").hidden = !scene || scenes[scene.scene].frames === 1;
@@ -611,6 +637,8 @@ function showControls() {
   $("detail-field").hidden = !shapeOf() || !shapeOf().counts.length;
   $("detail").max = shapeOf() ? shapeOf().counts.length - 1 : 0;
   $("own-field").hidden = !isFile() || isBrought();
+  $("blend-field").hidden = S.opacity >= 1;
+  $("fog-fields").hidden = S.fog === "none";
   $("size-field").hidden = S.panel !== "own";
   $("legend").hidden = S.show !== "errors";
   $("glass").classList.toggle("round", S.panel === "gc9a01");
@@ -631,7 +659,6 @@ function showControls() {
   Object.entries(CHOICES).forEach(([id, key]) => ($(id).value = S[key]));
   document.querySelectorAll('input[name="show"]').forEach((radio) => (radio.checked = radio.value === S.show));
   document.querySelectorAll('input[name="at"]').forEach((radio) => (radio.checked = radio.value === S.at));
-  $("shading-note").textContent = `PSNR against ${S.against === "same" ? "the same shading" : "light at every pixel"} in double precision.`;
   showLights();
 }
 
@@ -667,7 +694,7 @@ function showLights() {
   if (light) {
     $("light-kind").value = light.kind;
     $("light-colour").value = "#" + light.colour;
-    $("light-far-field").hidden = light.kind === "dir";
+    $("light-far-field").hidden = $("light-fading-fields").hidden = light.kind === "dir";
     $("light-cone-field").hidden = light.kind !== "spot";
   }
   showHandles(isScene() ? [] : list);
@@ -714,7 +741,7 @@ function showHandles(list) {
     handle.style.top = `calc(50% - ${(y * radius).toFixed(1)}px)`;
     handle.style.background = "#" + light.colour;
     handle.classList.toggle("behind", z < 0);
-    handle.setAttribute("aria-label", `Light ${i + 1}, ${light.kind === "dir" ? "directional" : light.kind}: ${light.yaw}° to the right, ${light.pitch}° up${z < 0 ? ", behind the model" : ""}`);
+    handle.setAttribute("aria-label", `Light ${i + 1}, ${light.kind === "dir" ? "directional" : light.kind}: ${sideways(light.yaw)}, ${side(light.pitch, "down", "up")}${z < 0 ? ", behind the model" : ""}`);
   });
 }
 
@@ -789,7 +816,7 @@ function connectCanvas() {
 function spin() {
   spinning = !spinning;
   $("spin").setAttribute("aria-pressed", String(spinning));
-  $("spin").textContent = spinning ? "Stop" : "Turn";
+  $("spin").textContent = spinning ? "Stop" : "Animate";
   if (spinning) {
     requestAnimationFrame(step);
   } else {
