@@ -4,6 +4,7 @@ import fnmatch
 import json
 import os
 import re
+import zipfile
 
 from tree import HERE, check, find, path, paths, read, read_netpbm, run, version
 
@@ -16,12 +17,18 @@ CATEGORIES = ["Display", "Communication", "Signal Input/Output", "Sensors", "Dev
               "Data Processing", "Other"]
 
 
+def library(folder):
+    """The library as it is installed from the ZIP file."""
+    run("python3", path("tools/packages/arduino.py"), folder, version())
+    with zipfile.ZipFile(os.path.join(folder, "glint-%s.zip" % version())) as packed:
+        packed.extractall(os.path.join(folder, "libraries"))
+
+
 def compile_sketch(b, sketch, board):
-    """By arduino-builder, with the tree as a library; @return the ELF file."""
+    """By arduino-builder; @return the ELF file."""
     folder = b.folder("arduino-%s-%s" % (sketch, board))
-    for name in ("out", "libraries"):
-        os.makedirs(os.path.join(folder, name))
-    os.symlink(path(), os.path.join(folder, "libraries", "glint"))
+    os.makedirs(os.path.join(folder, "out"))
+    library(folder)
     run("arduino-builder", "-compile", "-quiet", "-warnings", "all", "-hardware", "/usr/share/arduino-builder", "-hardware",
         HARDWARE, "-tools", "/usr/bin", "-libraries", os.path.join(folder, "libraries"), "-fqbn", "glint:test:" + board,
         "-build-path", os.path.join(folder, "out"), path("examples", "arduino", sketch, sketch + ".ino"))
@@ -63,8 +70,10 @@ def test_arduino_pyramid(b):
 
 def test_arduino_firmware(b):
     """Compiled for a Cortex-M0, a sketch has what it names, and no other."""
-    symbols = run("arm-none-eabi-nm", compile_sketch(b, "Torus", "m0"))
+    elf = compile_sketch(b, "Torus", "m0")
+    symbols = run("arm-none-eabi-nm", elf)
     check("glint_format_rgb565_be" in symbols, "no pixel format")
+    check(os.path.exists(os.path.join(os.path.dirname(elf), "libraries", "glint", "panel", "ili9341.c.o")), "no drivers")
     check("glint_light_spot" not in symbols and "glint_format_mono" not in symbols, "what nothing names")
 
 
@@ -75,7 +84,7 @@ def test_arduino_manifest(_):
     check(len(fields) == len(lines), "a field twice")
     for name in FIELDS:
         check(name in fields, "without " + name)
-        check(fields[name] or name == "url", name + " is empty")
+        check(fields[name], name + " is empty")
     check(set(fields) <= set(FIELDS + ["includes", "depends", "dot_a_linkage", "precompiled", "ldflags"]), "unknown fields")
     check(fields["version"] == version(), "version")
     check(re.fullmatch(r"[A-Za-z0-9][A-Za-z0-9 _.-]{0,62}", fields["name"]), "name")
@@ -95,6 +104,28 @@ def test_arduino_tree(_):
         folder = os.path.basename(os.path.dirname(name))
         check(os.path.basename(name) == folder + ".ino", name + ": not of its folder's name")
     check(not os.path.exists(path("utility")), "with src/, a folder utility is not allowed")
+
+
+def test_arduino_keywords(b):
+    """The IDE colours a word by a tab and its kind."""
+    folder = b.folder("arduino-keywords")
+    library(folder)
+    with open(os.path.join(folder, "libraries", "glint", "keywords.txt"), encoding="utf-8") as file:
+        kinds = dict(line.split("\t") for line in file.read().splitlines())
+    for name, kind in (("glint_scene", 1), ("glint_panel", 1), ("glint_render", 2), ("glint_lines_draw", 2)):
+        check(kinds.get(name) == "KEYWORD%d" % kind, name)
+    for name in ("GLINT_ONE", "GLINT_Q16", "GLINT_ERROR_ARENA", "glint_per_vertex", "glint_gamma_srgb", "glint_panel_ili9341"):
+        check(kinds.get(name) == "LITERAL1", name)
+    check(set(kinds.values()) == {"KEYWORD1", "KEYWORD2", "LITERAL1"} and len(kinds) > 200, "%d words" % len(kinds))
+
+
+def test_addresses(_):
+    """Every package names the same home."""
+    home = re.search(r"^url=(https://.+)$", read("library.properties"), re.MULTILINE).group(1)
+    json_fields, idf = json.loads(read("library.json")), read("idf_component.yml")
+    check(json_fields["homepage"] == home and json_fields["repository"]["url"].startswith(home), "library.json")
+    check("\nurl: %s\nrepository: %s/" % (home, home) in idf, "idf_component.yml")
+    check("<url>%s/</url>" % home in read("tools/packages/pack.py"), "pack.py")
 
 
 def test_platformio_manifest(_):

@@ -3,9 +3,11 @@
 import os
 import shutil
 
-from tree import FIRMWARE, HERE, HOST, LINK, M0, WARNINGS, check, find, firmware, path, paths, run, version
+from tree import DRIVERS, FIRMWARE, HERE, HOST, LINK, M0, WARNINGS, check, find, firmware, path, paths, run, version
 
 HEADERS = [os.path.basename(name) for name in find("src/*.h")]
+INSTALLED = sorted(["bin/glint", "bin/glint-import", "lib/libglint.a", "lib/pkgconfig/glint.pc"] +
+                   ["include/" + name for name in HEADERS])
 
 
 def files(folder):
@@ -19,13 +21,13 @@ def test_copy(b):
     shutil.copytree(path("src"), os.path.join(folder, "src"))
     sources = [os.path.join(folder, name) for name in find("src/*/*.c")]
     include = ["-I" + os.path.join(folder, "src"), "-I" + path("port")]
-    run("gcc", "-O1", *include, *sources, *paths(HOST), "-o", os.path.join(folder, "minimal"))
+    run("gcc", "-O1", *include, *sources, *paths(HOST + DRIVERS), "-o", os.path.join(folder, "minimal"))
     b.same(os.path.join(folder, "minimal"))
 
 
 def test_copy_firmware(b):
     folder = b.folder("copy-m0")
-    sources = paths(find("src/*/*.c") + FIRMWARE)
+    sources = paths(find("src/*/*.c") + FIRMWARE + DRIVERS)
     run("arm-none-eabi-gcc", "-Os", *M0, "-ffunction-sections", "-fdata-sections", "-fno-tree-loop-distribute-patterns",
         "-I" + path("src"), "-I" + path("port"), "-I" + path("port/libc"), *sources, *LINK, "-o",
         os.path.join(folder, "minimal.elf"))
@@ -37,7 +39,7 @@ def single(b, name, compiler):
     folder, at = b.folder(name), os.path.join(b.build, "single")
     library = os.path.join(folder, "glint.o")
     run(*compiler, *WARNINGS, "-I" + at, "-c", os.path.join(at, "glint.c"), "-o", library)
-    run(*compiler, "-I" + at, "-I" + path("port"), *paths(HOST), library, "-o", os.path.join(folder, "minimal"))
+    run(*compiler, "-I" + at, "-I" + path("port"), *paths(HOST + DRIVERS), library, "-o", os.path.join(folder, "minimal"))
     b.same(os.path.join(folder, "minimal"))
     include = ["-I" + path(name) for name in ("tests", "tests/unit", "src")]
     run(*compiler, "-std=c99", "-I" + at, *include, *paths(find("tests/unit/*.c") + ["tests/harness.c", "tests/main.c"]),
@@ -60,9 +62,26 @@ def test_single_firmware(b):
     run("arm-none-eabi-gcc", "-Os", *M0, *WARNINGS, *sections, "-c", os.path.join(at, "glint.c"), "-o",
         os.path.join(folder, "glint.o"))
     run("arm-none-eabi-gcc", "-Os", *M0, *sections, "-fno-tree-loop-distribute-patterns", "-I" + at, "-I" + path("port"),
-        "-I" + path("port/libc"), *paths(FIRMWARE), os.path.join(folder, "glint.o"), *LINK, "-o",
+        "-I" + path("port/libc"), *paths(FIRMWARE + DRIVERS), os.path.join(folder, "glint.o"), *LINK, "-o",
         os.path.join(folder, "minimal.elf"))
     firmware(os.path.join(folder, "minimal.elf"))
+
+
+def pkg_config(b, folder, env):
+    """Builds minimal.c by what pkg-config says."""
+    check(run("pkg-config", "--modversion", "glint", env=env).strip() == version(), "version of the pkg-config file")
+    flags = run("pkg-config", "--cflags", "--libs", "glint", env=env).split()
+    run("gcc", "-I" + path("port"), *paths(HOST + DRIVERS), *flags, "-o", os.path.join(folder, "minimal"))
+    b.same(os.path.join(folder, "minimal"))
+
+
+def programs(folder, root):
+    """The installed glint reads an OBJ file and, through the glint-import beside it, an STL file."""
+    model = os.path.join(folder, "triangle.stl")
+    with open(model, "w", encoding="utf-8") as file:
+        file.write("solid t\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\nendsolid t\n")
+    for name in (path("examples/models/teapot.obj"), model):
+        run(os.path.join(root, "bin", "glint"), "info", name)
 
 
 def test_install(b):
@@ -71,14 +90,10 @@ def test_install(b):
     where = ["make", "-s", "DESTDIR=" + folder, "PREFIX=/opt/glint", "BUILD=" + os.path.relpath(b.build, path())]
     run(*where, "install", cwd=path())
     root = os.path.join(folder, "opt", "glint")
-    check(files(root) == sorted(["bin/glint", "lib/libglint.a", "lib/pkgconfig/glint.pc"] + ["include/" + h for h in HEADERS]),
-          "installed: %s" % files(root))
+    check(files(root) == INSTALLED, "installed: %s" % files(root))
     env = {"PKG_CONFIG_PATH": os.path.join(root, "lib", "pkgconfig"), "PKG_CONFIG_SYSROOT_DIR": folder}
-    check(run("pkg-config", "--modversion", "glint", env=env).strip() == version(), "version of the pkg-config file")
-    flags = run("pkg-config", "--cflags", "--libs", "glint", env=env).split()
-    run("gcc", "-I" + path("port"), *paths(HOST), *flags, "-o", os.path.join(folder, "minimal"))
-    b.same(os.path.join(folder, "minimal"))
-    run(os.path.join(root, "bin", "glint"), "info", path("examples/models/teapot.obj"))
+    pkg_config(b, folder, env)
+    programs(folder, root)
     run(*where, "uninstall", cwd=path())
     check(files(root) == [], "left by uninstall: %s" % files(root))
 
@@ -94,8 +109,8 @@ def cmake(b, name, *options):
     return folder
 
 
-def for_host():
-    return ["-DSOURCES=" + ";".join(paths(HOST)), "-DINCLUDES=" + path("port")]
+def for_host(drivers=()):
+    return ["-DSOURCES=" + ";".join(paths(HOST + list(drivers))), "-DINCLUDES=" + path("port")]
 
 
 def for_firmware():
@@ -123,12 +138,14 @@ def test_cmake_package(b):
     """Built by itself, installed and found; another version is not."""
     folder = b.folder("cmake-itself")
     prefix = os.path.join(folder, "prefix")
-    run("cmake", "-G", "Ninja", "-S", path(), "-B", folder, "-DCMAKE_INSTALL_PREFIX=" + prefix)
-    run("ninja", "-C", folder, "-j1", "install")
-    check(set(["lib/libglint.a"] + ["include/" + name for name in HEADERS]) <= set(files(prefix)),
-          "installed by CMake: %s" % files(prefix))
+    run("cmake", "-G", "Ninja", "-S", path(), "-B", folder)
+    run("ninja", "-C", folder, "-j1")
+    run("cmake", "--install", folder, "--prefix", prefix)
+    check([name for name in files(prefix) if "/cmake/" not in name] == INSTALLED, "installed by CMake: %s" % files(prefix))
+    programs(folder, prefix)
+    pkg_config(b, folder, {"PKG_CONFIG_PATH": os.path.join(prefix, "lib", "pkgconfig")})
     found = ["-DWAY=package", "-DCMAKE_PREFIX_PATH=" + prefix]
-    b.same(os.path.join(cmake(b, "cmake-package", *found, "-DVERSION=" + version(), *for_host()), "minimal"))
+    b.same(os.path.join(cmake(b, "cmake-package", *found, "-DVERSION=" + version(), *for_host(DRIVERS)), "minimal"))
     major, minor, _ = version().split(".")
     other = ["-DVERSION=%s.%d" % (major, int(minor) + 1)]
     try:
@@ -170,16 +187,13 @@ def test_meson_installed(b):
     prefix = os.path.join(folder, "prefix")
     run("meson", "setup", os.path.join(folder, "build"), path(), "--prefix", prefix, "--libdir=lib")
     run("ninja", "-C", os.path.join(folder, "build"), "-j1", "install")
-    env = {"PKG_CONFIG_PATH": os.path.join(prefix, "lib", "pkgconfig")}
-    check(run("pkg-config", "--modversion", "glint", env=env).strip() == version(), "version by Meson")
-    flags = run("pkg-config", "--cflags", "--libs", "glint", env=env).split()
-    run("gcc", "-I" + path("port"), *paths(HOST), *flags, "-o", os.path.join(folder, "minimal"))
-    b.same(os.path.join(folder, "minimal"))
+    pkg_config(b, folder, {"PKG_CONFIG_PATH": os.path.join(prefix, "lib", "pkgconfig")})
 
 
 def test_meson_sources(_):
-    """Meson's list of sources is what the tree has."""
-    listed = [line.strip(" ',\n") for line in open(path("meson.build"), encoding="utf-8") if line.startswith("    'src/")]
-    check(sorted(listed) == find("src/*/*.c"), "meson.build: sources %s" % sorted(set(listed) ^ set(find("src/*/*.c"))))
+    """Meson's lists of sources are what the tree has."""
+    listed = {line.strip(" ',\n") for line in open(path("meson.build"), encoding="utf-8") if line.startswith(("    'src/", "    'port/"))}
+    other = listed ^ set(find("src/*/*.c") + find("port/panel/*.c"))
+    check(not other, "meson.build: sources %s" % sorted(other))
     for name in HEADERS:
         check("'src/%s'" % name in open(path("meson.build"), encoding="utf-8").read(), "meson.build: without " + name)

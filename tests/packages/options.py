@@ -14,7 +14,7 @@ import sys
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "tools"))
 import markdown  # noqa: E402
-from tree import FIRMWARE, LINK, path, paths, read, run
+from tree import DRIVERS, FIRMWARE, LINK, path, paths, read, run
 from qemu import Tally
 
 CORES = {"Cortex-M3": ["-mcpu=cortex-m3", "-mthumb", "-ffreestanding"],
@@ -42,7 +42,7 @@ def measure(b, core, level, split):
     os.makedirs(os.path.dirname(elf), exist_ok=True)
     run("arm-none-eabi-gcc", "-" + level, *CORES[core], "-DGLINT_SPLIT_PRODUCTS=%d" % split, "-ffunction-sections",
         "-fdata-sections", "-fno-tree-loop-distribute-patterns", "-I" + os.path.join(b, "single"), "-I" + path("port"),
-        "-I" + path("port/libc"), *paths(FIRMWARE), os.path.join(b, "single", "glint.c"), *LINK, "-o", elf)
+        "-I" + path("port/libc"), *paths(FIRMWARE + DRIVERS), os.path.join(b, "single", "glint.c"), *LINK, "-o", elf)
     text, data, bss = run("arm-none-eabi-size", elf).splitlines()[1].split()[:3]
     return int(text) + int(data), int(data) + int(bss)
 

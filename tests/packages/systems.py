@@ -77,14 +77,14 @@ def test_esp_idf_firmware(b):
 
 
 def test_esp_idf_requirements(_):
-    for component, count in ((path("CMakeLists.txt"), len(find("src/*/*.c"))), (path("examples/esp-idf/main/CMakeLists.txt"), 2)):
+    for component, count in ((path("CMakeLists.txt"), len(find("src/*/*.c") + find("port/panel/*.c"))), (path("examples/esp-idf/main/CMakeLists.txt"), 2)):
         said = run("cmake", "-DCOMPONENT=" + component, "-P", os.path.join(HERE, "esp-idf", "requirements.cmake"))
         check(said.startswith("%d sources" % count), said)
 
 
 def test_esp_idf_manifest(_):
     manifest = yaml.safe_load(read("idf_component.yml"))
-    known = {"version": str, "description": str, "license": str, "tags": list, "dependencies": dict, "files": dict}
+    known = {"version": str, "description": str, "license": str, "url": str, "repository": str, "tags": list, "dependencies": dict, "files": dict}
     for field, value in manifest.items():
         check(isinstance(value, known.get(field, ())), "field " + field)
     check(manifest["version"] == version(), "version")
@@ -108,8 +108,9 @@ def test_zephyr(b):
 
 
 def test_zephyr_firmware(b):
-    folder = zephyr(b, "zephyr-m0", cross("cortex-m0"))
+    folder = zephyr(b, "zephyr-m0", cross("cortex-m0"), "-DCONFIG_GLINT_PANEL=y")
     check("U display_write" in run("arm-none-eabi-nm", os.path.join(folder, "libapp.a")), "the sample is not there")
+    check("T glint_panel_start" in run("arm-none-eabi-nm", os.path.join(folder, "module", "libglint.a")), "no drivers")
 
 
 def test_zephyr_manifest(_):
@@ -117,7 +118,7 @@ def test_zephyr_manifest(_):
     check(set(module) <= {"name", "build", "samples", "tests", "boards"}, "fields of module.yml")
     check(os.path.exists(path(module["build"]["cmake"], "CMakeLists.txt")), "build: cmake")
     options = re.findall(r"^config (\w+)$", read(module["build"]["kconfig"]), re.MULTILINE)
-    check(options == ["GLINT"] and "CONFIG_GLINT" in read("zephyr/CMakeLists.txt"), "options: %s" % options)
+    check(options == ["GLINT", "GLINT_PANEL"] and "CONFIG_GLINT" in read("zephyr/CMakeLists.txt"), "options: %s" % options)
     for folder in module["samples"]:
         description = yaml.safe_load(read(folder + "/sample.yaml"))
         check(description["sample"]["name"] and description["tests"], folder)
@@ -136,18 +137,19 @@ def test_cmsis_pack(b):
     with zipfile.ZipFile(name) as pack:
         pack.extractall(folder)
     root = xml.etree.ElementTree.parse(os.path.join(folder, "glint.glint.pdsc")).getroot()
-    check([child.tag for child in root] == ["vendor", "name", "description", "url", "license", "releases", "components"],
+    check([child.tag for child in root] == ["vendor", "name", "description", "url", "license", "releases", "conditions",
+                                             "components"],
           "elements of the description")
     check(root.findtext("vendor") + "." + root.findtext("name") == "glint.glint", "the name of the description's file")
     check(root.find("releases/release").get("version") == version(), "version")
-    component = root.find("components/component")
-    check(component.get("Cclass") == "Graphics" and component.get("Cgroup") and component.get("Cversion") == version(),
-          "component")
-    listed = [(file.get("category"), file.get("name")) for file in component.find("files")]
+    components = root.findall("components/component")
+    check([[component.get(name) for name in ("Cclass", "Cgroup", "Csub", "Cversion")] for component in components] ==
+          [["Graphics", "glint", sub, version()] for sub in ("renderer", "panels")], "components")
+    listed = [(file.get("category"), file.get("name")) for component in components for file in component.find("files")]
     for _, file in listed + [("license", root.findtext("license"))]:
         check(os.path.exists(os.path.join(folder, file)), file + ": not in the pack")
-    check([file for kind, file in listed if kind == "source"] == find("src/*/*.c"), "sources")
-    check([file for kind, file in listed if kind == "header"] == find("src/*.h"), "headers")
+    check([file for kind, file in listed if kind == "source"] == find("src/*/*.c") + find("port/panel/*.c"), "sources")
+    check([file for kind, file in listed if kind == "header"] == find("src/*.h") + find("port/panel/*.h"), "headers")
     sources = [os.path.join(folder, file) for kind, file in listed if kind == "source"]
     include = ["-I" + os.path.join(folder, file) for kind, file in listed if kind == "include"]
     elf = os.path.join(folder, "minimal.elf")

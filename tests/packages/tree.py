@@ -15,11 +15,11 @@ HERE = os.path.dirname(os.path.abspath(__file__))
 WARNINGS = ["-std=c99", "-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Wshadow", "-Werror"]
 M0 = ["-mcpu=cortex-m0", "-mthumb", "-ffreestanding"]
 
-# minimal.c: for this machine, and for a Cortex-M0, on the port of no board in particular.
-PROGRAM = ["examples/firmware/minimal.c", "port/panel/panel.c", "port/panel/solomon.c", "port/panel/ssd0323.c"]
-HOST = PROGRAM + ["tests/packages/board.c"]
-FIRMWARE = PROGRAM + ["port/template/board.c", "port/cortex-m/startup.c", "port/semihosting/semihosting.c",
-                      "port/libc/memory.c"]
+# minimal.c: for this machine, and for a Cortex-M0, on the port of no board in particular. Packages have the drivers.
+DRIVERS = ["port/panel/panel.c", "port/panel/solomon.c", "port/panel/ssd0323.c"]
+HOST = ["examples/firmware/minimal.c", "tests/packages/board.c"]
+FIRMWARE = ["examples/firmware/minimal.c", "port/template/board.c", "port/cortex-m/startup.c",
+            "port/semihosting/semihosting.c", "port/libc/memory.c"]
 LINK = ["-nostdlib", "-Wl,--gc-sections", "-L" + os.path.join(ROOT, "linker"),
         "-T" + os.path.join(ROOT, "linker", "template.ld"), "-lgcc"]
 
