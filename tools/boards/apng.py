@@ -34,7 +34,8 @@ def part_of(picture, before, width, height):
         x, y, right, bottom = columns[0], changed[0], columns[-1] + 1, changed[-1] + 1
     cut = [row[3 * x:3 * right] for row in rows[y:bottom]]
     above = [bytes(len(cut[0]))] + cut[:-1]
-    return Part(x, y, right - x, bottom - y, b"".join(map(filtered, cut, above)))
+    ways = b"".join(map(filtered, cut, above)), b"".join(b"\0" + row for row in cut)  # dithered pixels repeat as they are
+    return Part(x, y, right - x, bottom - y, min(ways, key=lambda way: len(zlib.compress(way, 9))))
 
 
 def parts_of(pictures, width, height):

@@ -1,10 +1,11 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Writes the tables and pictures of docs/boards.md and the README's table of one board, or checks that they are true.
+"""Writes the tables and pictures of docs/boards.md, the README's table of one board and its moving picture, or checks that
+they are true.
 
-boards.py --build BUILD --host SHOW_HOST --stream STREAM --times CSV [--write] PAGE PICTURES README
+boards.py --build BUILD --host SHOW_HOST --stream STREAM --night STREAM --panel PANEL_STREAM --times CSV [--write] PAGE PICTURES README NIGHT
 
-STREAM is what tests/pico/run.js wrote of that one board, CSV what times.py wrote of the example scenes. With --write the page
+STREAM is what tests/pico/run.js wrote of that one board, and of its first frames of the moving picture; CSV what times.py wrote of the example scenes. With --write the page
 and its pictures are written; without, they are checked: figures against the firmware that was built, within 2 %; pictures
 against what the host draws, which is what the panels show (tests/board/show.py and animate.py). Scenes that are not in CSV keep the times that the page has.
 """
@@ -12,6 +13,7 @@ import argparse
 import csv
 import os
 import re
+import subprocess
 import sys
 import tempfile
 
@@ -40,9 +42,14 @@ MOST = 0.02
 README_BOARD = "pico"
 README_FRAMES = (("torus of 576 triangles, one light", "torus576"), ("teapot of 2256 triangles, two lights", "teapot"))
 
-# Firmware of the benchmark, which has all that the library draws.
-ENTRY_CORES = (("Cortex-M0", "mps2-an385-m0"), ("Cortex-M3", "mps2-an385"), ("RV32IMC", "virt"))
-ENTRIES = ("glint_init", "glint_arena_need", "glint_render", "glint_frame_begin", "glint_frame_next_pass", "glint_render_tile")
+# The moving picture: its program, pictures, and for how long each is shown, as in the scene, milliseconds.
+NIGHT = "night"
+NIGHT_NAMES = ["%s-%d" % (NIGHT, frame) for frame in range(16)]
+NIGHT_STAYS = 120
+NIGHT_MOST = 500000  # bytes of the file
+
+# Functions that use no more stack than this, bytes, share a row.
+LEAST_STACK = 512
 
 
 def read_boards():
@@ -144,17 +151,68 @@ def table_of_readme(build, costs, stream):
             for title, name in README_FRAMES], right=[1])
 
 
-def table_of_entries(build, costs):
-    headers = [os.path.join(HERE, "..", "..", "src", name) for name in ("glint.h", "glint_extras.h")]
-    found = [stack.entries(stack.read("%s/%s/O2/frames.elf" % (build, board), costs), headers) for _, board in ENTRY_CORES]
-    return table(["function"] + [core for core, _ in ENTRY_CORES],
-                 [["`%s`" % entry] + [str(by_core[entry]) for by_core in found] for entry in ENTRIES], right=range(1, 4))
+def night_on_host(host):
+    """Pictures of 3 bytes a pixel."""
+    with tempfile.TemporaryDirectory() as directory:
+        show.draw_on_host(NIGHT, host, show.BOARDS[README_BOARD], directory)
+        return [show.read_netpbm(os.path.join(directory, name + ".ppm"))[3] for name in NIGHT_NAMES]
+
+
+def night_on_panel(model, stream):
+    """Those of the first frames that a model of the panel shows, by what went over the bus."""
+    board = show.BOARDS[README_BOARD]
+    with tempfile.TemporaryDirectory() as directory, open(stream) as file:
+        subprocess.run([os.path.abspath(model), "-r", str(board.rotation), board.module, "last.ppm"], stdin=file, stdout=subprocess.DEVNULL,
+                       cwd=directory, check=True)
+        paths = [os.path.join(directory, name + ".ppm") for name in NIGHT_NAMES]
+        return [show.read_netpbm(path)[3] for path in paths if os.path.exists(path)]
+
+
+def night_parts(host):
+    board = show.BOARDS[README_BOARD]
+    return apng.parts_of(night_on_host(host), board.width, board.height)
+
+
+def table_of_night(build, stream):
+    board = next(row for row in read_boards() if row["board"] == README_BOARD)
+    flash, library, ram, _ = read_size("%s/%s/O2/%s.size" % (build, README_BOARD, NIGHT))
+    frame, bus = map(times.mean, zip(*show.BOARDS[README_BOARD].frame_times(stream)))
+    return table(["board", "panel", "flash", "RAM", "a frame"], [[
+        "%s: %s at %.0f MHz" % (board["name"], board["core"], times.TIMED[README_BOARD].clock / 1e6), board["panel"] + ", dithered",
+        "%d bytes, of it glint %d" % (flash, library), "%d bytes, stack and arena included" % ram,
+        "%.0f ms, bus %.0f ms; above %d ms, as in the scene" % (frame, bus, NIGHT_STAYS)]])
+
+
+def check_night(tally, path, host, model, stream):
+    drawn, shown = night_on_host(host), night_on_panel(model, stream)
+    tally.check(len(shown) > 2 and shown == drawn[:len(shown)], "%s: the panel does not show what the host draws" % NIGHT)
+    tally.check(os.path.exists(path) and apng.read(path) == (night_parts(host), [NIGHT_STAYS] * len(NIGHT_NAMES)),
+                path + " is not what the panel shows: make figures")
+    tally.check(os.path.getsize(path) <= NIGHT_MOST, "%s: %d bytes" % (path, os.path.getsize(path)))
+
+
+def table_of_entries(build):
+    with open(os.path.join(build, "stack", "painted.csv"), newline="") as file:
+        head, *rows = csv.reader(file)
+    counts = {row[0]: list(map(int, row[1:])) for row in rows}
+    large = [function for function in counts if max(counts[function]) > LEAST_STACK]
+    others = [max(column) for column in zip(*(count for function, count in counts.items() if function not in large))]
+    shown = [["`%s`" % function] + counts[function] for function in sorted(large, key=lambda name: -max(counts[name]))]
+    return table(head, [list(map(str, row)) for row in shown + [["others, at most"] + others]], right=range(1, len(head)))
+
+
+def picture_of(row):
+    """What is shown of a board: of panels in colour a scene each."""
+    if not is_in_colour(row):
+        return PICTURE_OF_ONE_MODEL if row["board"] in show.ONE_MODEL else PICTURE
+    colours = [other["board"] for other in read_boards() if is_in_colour(other)]
+    return list(animate.SCENES)[colours.index(row["board"]) % len(animate.SCENES)] + "-0"
 
 
 def pictures_of(row):
     """@return {file: picture that the host draws} of a board"""
     name = row["board"]
-    wanted = {name + ".png": PICTURE_OF_ONE_MODEL if name in show.ONE_MODEL else PICTURE}
+    wanted = {name + ".png": picture_of(row)}
     wanted.update({"%s-%s.png" % (name, scene): scene + "-0" for scene in animate.SCENES if name in SCENE_BOARDS})
     return wanted
 
@@ -204,10 +262,10 @@ def check_page(tally, path, old, new):
 
 def main():
     parser = argparse.ArgumentParser()
-    for name in ("build", "host", "stream", "times"):
+    for name in ("build", "host", "stream", "night", "panel", "times"):
         parser.add_argument("--" + name, required=True)
     parser.add_argument("--write", action="store_true")
-    for name in ("page", "pictures", "readme"):
+    for name in ("page", "pictures", "readme", "moving"):
         parser.add_argument(name)
     arguments = parser.parse_args()
     costs = stack.read_table()
@@ -216,7 +274,8 @@ def main():
     taken = read_times(arguments.times)
     for path, name, text in ((arguments.page, "boards", table_of_boards(arguments.build, costs)),
                               (arguments.page, "scenes", table_of_scenes(arguments.build, old[arguments.page], taken)),
-                              (arguments.page, "entries", table_of_entries(arguments.build, costs)),
+                              (arguments.page, "entries", table_of_entries(arguments.build)),
+                              (arguments.readme, "night", table_of_night(arguments.build, arguments.night)),
                               (arguments.readme, "one board", table_of_readme(arguments.build, costs, arguments.stream))):
         new[path] = fill(new[path], name, text)
     if arguments.write:
@@ -225,12 +284,14 @@ def main():
                 file.write(text)
         for row in read_boards():
             write_pictures(os.path.abspath(arguments.host), row, arguments.pictures, taken)
+        apng.write(arguments.moving, night_parts(os.path.abspath(arguments.host)), [NIGHT_STAYS] * len(NIGHT_NAMES))
         return 0
     tally = show.Tally()
     for path in old:
         check_page(tally, path, old[path], new[path])
     for row in read_boards():
         check_pictures(tally, os.path.abspath(arguments.host), row, arguments.pictures)
+    check_night(tally, arguments.moving, os.path.abspath(arguments.host), arguments.panel, arguments.night)
     return tally.close()
 
 

@@ -10,7 +10,6 @@ emulator has cycles, DMA and bus itself. With --part it draws the first scenes o
 import argparse
 import collections
 import os
-import re
 import sys
 import tempfile
 
@@ -53,12 +52,8 @@ def times_in_qemu(board, firmware, plugin):
 
 def times_on_pico(firmware):
     """The same; its first frame includes the start."""
-    with tempfile.NamedTemporaryFile("r") as stream:
-        lines = BOARDS["pico"].capture(firmware, stream.name)
-        done = [tuple(map(int, pair)) for pair in
-                re.findall(r"^# instructions \d+ nanoseconds (\d+) bus (\d+)$", stream.read(), re.M)]
-    return lines, [((time - time_before) / 1e6, (bus - bus_before) / 1e6)
-                   for (time, bus), (time_before, bus_before) in zip(done, [(0, 0)] + done)]
+    with tempfile.NamedTemporaryFile() as stream:
+        return BOARDS["pico"].capture(firmware, stream.name), BOARDS["pico"].frame_times(stream.name)
 
 
 def main():

@@ -3,8 +3,9 @@
 set terminal svg size 820,520 font "DejaVu Sans,12" background "#fcfcfb" noenhanced
 load "tools/chart/style.gp"
 is_line(s) = !has(s, "stay")
-colour(s) = has(s, "torus") ? blue : has(s, "spot") ? red : has(s, "teapot") ? teal : gold
-shape(s) = is_line(s) ? 0 : 7
+colour(s) = has(s, "torus") ? navy : has(s, "spot") ? gold : has(s, "teapot") ? blue : purple
+shape(s) = (has(s, "torus") ? 6 : has(s, "spot") ? 8 : has(s, "teapot") ? 4 : 12) + !is_line(s)
+size(s) = 1
 panel = ""
 set key inside
 set title heading

@@ -22,16 +22,16 @@ from series import CHARTS  # noqa: E402
 DATA, KEPT = "docs", "docs/charts"
 
 TITLES = {
-    "power": "cos^p, p = 64: error over instructions",
+    "ways": "Every way to light a torus of 576 triangles at 320x240 by 1, 2, 4 and 8 lights: PSNR over instructions",
+    "frames": "A torus of 2304 triangles at 320x240, one directional light: PSNR over instructions",
+    "regions": "Where plain methods fail (errors below 0.1 are drawn at it)",
+    "power": "cos^p: error over instructions (mark: p = 64; bar: up to the worst p from 1 to 1024)",
     "normalise": "One over a square root, and unit vectors: error over instructions",
-    "frames": "Whole frames of torus2304 at 320x240: PSNR over instructions",
-    "frames-scenes": "The other benchmark scenes on Cortex-M3: PSNR over instructions",
-    "exponent": "cos^p: error over the exponent p (thick: the library's)",
     "shading": "A torus with a highlight (p = 50), 320x240: error against the true smooth surface",
-    "scaling": "How the cost of a frame grows (lines: straight, fitted to the points)",
+    "depth": "Errors over depth, as a multiple of that of the nearest geometry: rooms, terrains and far objects",
     "bus": "Time of a frame in RGB565: what the core takes against what the bus takes",
     "arena": "What a smaller arena costs, Cortex-M3",
-    "lights": "torus576 at 320x240: glint on Cortex-M3, good float on Cortex-M4 with FPU"}
+    "edges": "A torus of 576 triangles at 320x240 in RGB565: what smooth edges cost and add"}
 
 
 def text_of(path):
@@ -51,7 +51,7 @@ def quoted(words):
 def draw(name, rows, directory):
     """@return the SVG that a chart's script draws of its rows"""
     data = os.path.join(directory, name + ".tsv")
-    write(data, "".join("%s\t%s\t%.9g\t%.9g\n" % row for row in rows))
+    write(data, "".join("\t".join(["%s\t%s\t%.9g\t%.9g" % row[:4], *row[4:]]) + "\n" for row in rows))
     variables = 'data = "%s"; heading = "%s"; panels = "%s"; series = "%s"' % (
         data, TITLES[name], quoted(row[0] for row in rows), quoted(row[1] for row in rows))
     drawn = subprocess.run(["gnuplot", "-e", variables, os.path.join("tools/chart", name + ".gp")], capture_output=True, text=True,
@@ -63,7 +63,7 @@ def draw(name, rows, directory):
 def texts(svg):
     """@return the box of every level text in an SVG by gnuplot, and the text; a letter is 0.6 of its height wide, on average"""
     pattern = (r'<g transform="translate\(([-\d.]+),([-\d.]+)\)"[^>]* font-size="([\d.]+)"\s*text-anchor="(\w+)">\s*'
-               r'<text>([^<]*)</text>')
+               r'<text>([^<]+)</text>')
     for x, y, size, anchor, text in re.findall(pattern, svg):
         width, height = 0.6 * float(size) * len(html.unescape(text)), float(size)
         left = float(x) - width * {"start": 0, "middle": 0.5, "end": 1}[anchor]

@@ -9,16 +9,10 @@ CPUS = {"m0": "Cortex-M0", "m3": "Cortex-M3", "m4": "Cortex-M4", "rv32": "RV32IM
 # What every scene asks for; charts and tables of frames are held against it.
 ASKED = "fragment Blinn-Phong local"
 
-
 # Kinds of light and numbers of them that frames of LIT are counted with, and what one and several of them are called.
-LIT, LIT_SIZE = "torus576", "320x240"
+LIT = "torus576"
 LIGHTS = {"directional": ("directional", "directional"), "point": ("point", "points"), "spot": ("spot", "spots")}
 LIGHT_COUNTS = (1, 2, 4, 8)
-
-
-def look_of(kind, count):
-    """What `make bench` calls so many lights of a kind; the scene as it is has one directional light."""
-    return "" if (kind, count) == ("directional", 1) else " %d %s" % (count, LIGHTS[kind][count > 1])
 
 
 class Missing(Exception):
@@ -63,12 +57,16 @@ class Figures:
         self.frames = read(directory, "frame-accuracy.csv")
         self.gallery = read(directory, "gallery-accuracy.csv")
         self.counts = read(directory, "frame-instructions.csv")
+        self.ways = read(directory, "ways-accuracy.csv")
         self.others = read(directory, "other-libraries.csv")
         self.bench = read(directory, "bench.csv")
         self.bench_arena = read(directory, "bench-arena.csv")
         self.accuracy = read(directory, "accuracy.csv")
         self.shading = read(os.path.join(directory, "charts"), "shading.csv")
-        self.scaling = read(os.path.join(directory, "charts"), "scaling.csv")
+        self.depth = read(os.path.join(directory, "charts"), "depth.csv")
+        self.regions = read(os.path.join(directory, "charts"), "regions.csv")
+        self.means = read(os.path.join(directory, "charts"), "means.csv")
+        self.edges = read(os.path.join(directory, "charts"), "edges.csv")
         self.parts = read(directory, "parts.csv")
         self.arena = read(os.path.join(directory, "charts"), "arena.csv")
 
@@ -96,17 +94,36 @@ class Figures:
         return list(dict.fromkeys((row["name"], row["variant"], row["shipped"] == "shipped")
                                   for row in only(self.accuracy, kind=kind)))
 
-    def instructions(self, scene, size, choice, cpu):
-        """Of a frame, in millions."""
-        row = one(self.counts, scene=scene, size=size, choice=choice, cpu=cpu)
+    def instructions(self, scene, lights, choice, cpu):
+        """Of a frame at 320x240, in millions."""
+        row = one(self.counts, scene=scene, lights=lights, choice=choice, cpu=cpu)
         return int(row["instructions"]) / 1e6
 
-    def over_lights(self, kind, cpu):
-        """@return (number of lights of that kind, millions of instructions of a frame) by rising number"""
-        way = "float" if cpu == "m4f" else "32x32"
-        rows = [(count, one(self.bench, kind="frame", name=LIT, cpu=cpu,
-                            variant="%s local %s%s" % (LIT_SIZE, way, look_of(kind, count)))) for count in LIGHT_COUNTS]
-        return [(count, int(row["instructions"]) / 1e6) for count, row in rows]
+    def asked(self, scene, size, cpu):
+        """Of a frame of a benchmark scene as it is, in millions."""
+        row = one(self.bench, kind="frame", name=scene, variant=size + " local 32x32", cpu=cpu)
+        return int(row["instructions"]) / 1e6
+
+    def good_float(self, scene, size):
+        """Of such a frame in good float on Cortex-M4 with FPU, in millions."""
+        return int(one(self.bench, kind="frame", name=scene, variant=size + " local float", cpu="m4f")["instructions"]) / 1e6
+
+    def float_psnr(self, scene, lights, choice):
+        return float(one(self.ways, scene=scene, lights=lights, choice=choice)["float_psnr_db"])
+
+    def benchmark(self):
+        """@return (scene, size) of every benchmark scene"""
+        return list(dict.fromkeys((row["scene"], row["size"]) for row in self.frames))
+
+    def over_lights(self, kind, cpu, choice=ASKED):
+        """@return (number of lights of that kind, millions of instructions of a frame, PSNR) by rising number"""
+        column = "float_psnr_db" if cpu == "m4f" else "psnr_db"
+        found = []
+        for count in LIGHT_COUNTS:
+            lights = "%d %s" % (count, LIGHTS[kind][count > 1])
+            psnr = one(self.ways, scene=LIT, lights=lights, choice=choice)[column]
+            found.append((count, self.instructions(LIT, lights, choice, cpu), float(psnr)))
+        return found
 
     def choices(self):
         return list(dict.fromkeys(row["choice"] for row in self.counts))

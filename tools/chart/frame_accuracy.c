@@ -7,14 +7,10 @@
 #include "bench.h"
 #include "choices.h"
 #include "judge.h"
-#include "library_geometry.h"
-#include "picture.h"
 #include "quantise.h"
-#include "reference.h"
+#include "truth.h"
 
 #include <math.h>
-#include <stdio.h>
-#include <stdlib.h>
 
 #define PIXELS_MAX (320 * 240)
 #define CHANNELS 3
@@ -135,18 +131,10 @@ static void build_frame(bench_scene *scene, int which, int frame, const choice *
         choose(chosen, &scene->scene, &scene->object, &scene->material);
 }
 
-/* Draws a scene in double precision, on the positions to which the library snaps its vertices. */
 static void find_truth(truth *right, const bench_scene *scene, const uint16_t size[2]) {
     const reference_image image = {size[0], size[1], right->pixels};
-    picture blank = picture_open(size[0], size[1], &glint_format_rgb565);
-    const glint_config config = picture_config(&blank, NULL);
-    library_geometry geometry;
-    if (library_geometry_open(&geometry, &config, &scene->scene) != GLINT_OK)
-        fail("the library refuses a scene");
-    right->depth_scale = geometry.depth_scale;
-    reference_render(&image, &scene->scene, (const reference_position *const *)geometry.positions);
-    library_geometry_close(&geometry);
-    picture_close(&blank);
+
+    right->depth_scale = truth_draw(&image, &scene->scene);
 }
 
 static void draw(row *total, const output *kind, const bench_scene *scene, const truth *right, const uint16_t size[2]) {

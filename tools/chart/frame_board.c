@@ -1,89 +1,110 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Firmware that counts the instructions of whole frames of the benchmark scenes for every choice of shading, clear and
- * copy to a framebuffer in memory included. It writes lines of
- *     torus2304,320x240,rgb565,fragment Blinn-Phong local,INSTRUCTIONS
- * which are means of ten frames.
+ * Firmware that counts the instructions of frames for every way to light, clear and copy to a framebuffer in memory
+ * included. It writes lines of
+ *     torus576,320x240,rgb565,8 points,fragment Blinn-Phong local,INSTRUCTIONS
+ * which are means of ten frames. With FRAME_FLOAT the float renderer draws them.
  */
 #include "../bench/counter.h"
 #include "../bench/framebuffer.h"
-#include "choices.h"
+#include "ways.h"
 
-#include <bench_scenes.h>
+#ifdef FRAME_FLOAT
+#include "../bench/float/fpu.h"
+#include "../bench/float/renderer.h"
+#endif
 
 enum { WIDTH = 320, HEIGHT = 240 };
 
-static uint32_t arena[(1 << 20) / sizeof(uint32_t)];
-static uint16_t framebuffer[HEIGHT][WIDTH];
+static uint32_t framebuffer[WIDTH * HEIGHT / 2]; /* words are copied and cleared */
+static workload_stage stage;
 
-static int copy_tile(void *context, int x, int y, int width, int height, const void *pixels, size_t stride) {
-    (void)context;
-    framebuffer_copy(&framebuffer[y][x], sizeof framebuffer[0], pixels, stride, 2 * (size_t)width, height);
+#ifdef FRAME_FLOAT
+
+static int32_t depth[WIDTH * HEIGHT];
+static float_memory memory;
+
+/* `make bench` has the first scene. */
+#define FIRST_SCENE 1
+
+static void start(void) {
+    fpu_start();
+}
+
+static int draw(int first) {
+    const float_screen screen = {WIDTH, HEIGHT, (uint16_t *)(void *)framebuffer, depth};
+
+    (void)first;
+    float_render(&screen, &memory, &stage.example.scene);
     return 0;
 }
 
-/* @return ticks that the ten frames take, as an animation, from glint_init on; 0 after an error */
-static uint32_t draw_frames(const glint_config *config, const glint_scene *scene, glint_object *object,
-                            const glint_pose *poses) {
-    glint_renderer renderer;
-    uint32_t ticks = 0;
+#else
 
-    for (int frame = 0; frame < BENCH_FRAMES; frame++) {
-        object->pose = poses[frame];
-        const uint32_t start = counter_now();
-        if ((frame == 0 && glint_init(&renderer, config) != GLINT_OK) || glint_render(&renderer, scene) != GLINT_OK) {
-            return 0;
-        }
-        ticks += counter_ticks_since(start);
-    }
-    return ticks;
+static uint32_t arena[(1 << 20) / sizeof(uint32_t)];
+
+#define FIRST_SCENE 0
+
+static void start(void) {
 }
 
-static uint32_t measure(uint32_t which, const uint16_t size[2], const choice *chosen) {
-    glint_material material = bench_material;
-    glint_object object = {.mesh = bench_scenes[which].mesh, .material = &material, .evaluation = &glint_per_fragment};
-    glint_scene scene = {.ambient = {BENCH_AMBIENT, BENCH_AMBIENT, BENCH_AMBIENT},
-                         .lights = &bench_light,
-                         .light_count = 1,
-                         .objects = &object,
-                         .object_count = 1};
-    const glint_config config = {.width = size[0],
-                                 .height = size[1],
+static int copy_tile(void *context, int x, int y, int width, int height, const void *pixels, size_t stride) {
+    uint8_t *to = (uint8_t *)framebuffer + 2 * ((size_t)y * WIDTH + (size_t)x);
+
+    (void)context;
+    framebuffer_copy(to, 2 * (size_t)WIDTH, pixels, stride, 2 * (size_t)width, height);
+    return 0;
+}
+
+/* The first frame of an animation is counted from glint_init on. */
+static int draw(int first) {
+    static glint_renderer renderer;
+    const glint_config config = {.width = WIDTH,
+                                 .height = HEIGHT,
+                                 .tile_width = 32,
+                                 .tile_height = 32,
                                  .format = &glint_format_rgb565,
                                  .flush = {copy_tile, 0, 0},
+                                 .keeps_arena = 1,
                                  .arena = arena,
-                                 .arena_size = sizeof arena,
-                                 .keeps_arena = 1};
+                                 .arena_size = sizeof arena};
 
-    choose(chosen, &scene, &object, &material);
-    scene.camera.pose = glint_pose_identity();
-    scene.camera.field_of_view = BENCH_FIELD_OF_VIEW;
-    scene.camera.near_plane = BENCH_NEAR_PLANE;
-    return draw_frames(&config, &scene, &object, bench_scenes[which].poses);
+    return (first && glint_init(&renderer, &config) != GLINT_OK) ||
+           glint_render(&renderer, &stage.example.scene) != GLINT_OK;
 }
 
-static int report(uint32_t which, const uint16_t size[2], const choice *chosen) {
-    const uint32_t ticks = measure(which, size, chosen);
+#endif
 
-    board_write(bench_scenes[which].name);
+/* @return 0, or 1 after an error */
+static int count(const workload *drawn, const choice *chosen) {
+    uint64_t ticks = 0;
+    int failed = ways_build(&stage, drawn, chosen);
+
+    for (uint32_t frame = 0; frame < drawn->frames && !failed; frame++) {
+        workload_set_frame(&stage, frame);
+        const uint32_t before = counter_now();
+        failed = draw(frame == 0);
+        ticks += counter_ticks_since(before);
+    }
+    board_write(drawn->scene);
+    board_write(",320x240,rgb565,");
+    board_write(ways_lights(drawn));
     board_write(",");
-    write_number(size[0], "x");
-    write_number(size[1], ",rgb565,");
     board_write(chosen->name);
     board_write(",");
-    write_number(ticks * COUNTER_INSTRUCTIONS_PER_TICK / BENCH_FRAMES, "\n");
-    return ticks == 0;
+    write_number(drawn->frames ? (uint32_t)(ticks * COUNTER_INSTRUCTIONS_PER_TICK / drawn->frames) : 0, "\n");
+    return failed;
 }
 
 int main(void) {
     int failed = 0;
 
+    start();
     counter_start();
-    for (uint32_t scene = 0; scene < sizeof bench_scenes / sizeof bench_scenes[0] && !failed; scene++) {
-        for (uint32_t size = 0; size < CHOICE_SIZES && !failed; size++) {
-            for (uint32_t i = 0; i < CHOICES && !failed; i++) {
-                failed = report(scene, choice_sizes[size], &choices[i]);
-            }
+    for (uint32_t scene = FIRST_SCENE; scene < WAYS_SCENES; scene++) {
+        const workload drawn = ways_scene(scene);
+        for (uint32_t i = 0; i < CHOICES && !failed; i++) {
+            failed = count(&drawn, &choices[i]);
         }
     }
     return failed;

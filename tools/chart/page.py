@@ -25,7 +25,7 @@ CLAUSES = (
 )
 
 # The frame that figures in words are about, and the likeness that it is to have.
-SCENE, SIZE, LEAST_PSNR = "torus2304", "320x240", 41.5
+SCENE, SIZE, LIGHT, LEAST_PSNR = "torus2304", "320x240", "1 directional", 41.5
 
 # The same lighting in float, well made; beside the library it is measured with an FPU.
 GOOD_FLOAT = "good float"
@@ -83,28 +83,28 @@ def gallery(figures):
 
 
 def frames(figures):
-    cpus = figures.cpus(figures.counts)
+    cpus = list(CPUS)
     rows = []
     for choice in figures.choices():
         evaluation, rest = choice.split(" ", 1)
         rows.append(["per " + evaluation, rest, "%.1f" % figures.psnr(SCENE, SIZE, choice)] +
-                    ["%.2f" % figures.instructions(SCENE, SIZE, choice, cpu) for cpu in cpus])
+                    ["%.2f" % figures.instructions(SCENE, LIGHT, choice, cpu) for cpu in cpus])
     return table(["evaluation", "model and viewer", "PSNR, dB"] + ["million instructions, " + CPUS[cpu] for cpu in cpus],
                  rows)
 
 
 def scenes(figures):
     """The exact image of every benchmark scene, and what it takes."""
-    cpus = figures.cpus(figures.counts)
+    cpus = list(CPUS)
     rows = []
-    for scene, size in dict.fromkeys((row["scene"], row["size"]) for row in figures.counts):
+    for scene, size in figures.benchmark():
         floats = {row["library"]: row["million_instructions"] for row in figures.others
                   if (row["scene"], row["size"], row["cpu"]) == (scene, size, "m4f")}
         floats.update((GOOD_FLOAT, "%.2f" % million) for name, look, shown, million in with_fpu(figures)
                       if (name, look, shown) == (scene, "", size))
         rows.append([scene, size, "%.1f" % figures.psnr(scene, size, ASKED),
                      "%.1f" % figures.psnr(scene, size, "correctly rounded")] +
-                    ["%.2f" % figures.instructions(scene, size, ASKED, cpu) for cpu in cpus] +
+                    ["%.2f" % figures.asked(scene, size, cpu) for cpu in cpus] +
                     [floats.get(name, "") for name in (GOOD_FLOAT, "TGX")])
     return table(["scene", "size", "PSNR, dB", "RGB565 allows"] + ["million instructions, " + CPUS[cpu] for cpu in cpus] +
                  [GOOD_FLOAT + ", Cortex-M4 with FPU", "TGX per vertex, the same"], rows)
@@ -116,8 +116,8 @@ def times(ratio):
 
 def others(figures):
     """Other libraries' instructions as multiples of those that the library's exact image takes."""
-    cpus = [cpu for cpu in figures.cpus(figures.counts) if cpu != "rv32"]
-    own = {cpu: figures.instructions(SCENE, SIZE, ASKED, cpu) for cpu in cpus}
+    cpus = [cpu for cpu in CPUS if cpu != "rv32"]
+    own = {cpu: figures.asked(SCENE, SIZE, cpu) for cpu in cpus}
     rows = [["**glint**", "per fragment", "%.1f" % figures.psnr(SCENE, SIZE, ASKED)] +
             ["%.2f" % own[cpu] for cpu in cpus]]
     measured = only(figures.others, scene=SCENE, size=SIZE)
@@ -129,7 +129,7 @@ def others(figures):
                      for cpu in cpus])
     for name, look, size, million in with_fpu(figures):
         if (name, look, size) == (SCENE, "", SIZE):
-            rows.append([GOOD_FLOAT, "per fragment", ""] +
+            rows.append([GOOD_FLOAT, "per fragment", "%.1f" % figures.float_psnr(SCENE, LIGHT, ASKED)] +
                         ["%.2f (%s)" % (million, times(million / own[cpu])) if cpu == "m4" else "" for cpu in cpus])
     return table(["library", "mode", "PSNR, dB"] + ["million instructions, " + CPUS[cpu] +
                                                     (" with FPU" if cpu == "m4" else "") for cpu in cpus], rows)
@@ -146,7 +146,7 @@ def with_fpu(figures):
 
 def examples_beside_float(figures):
     """@return (scene and look, size, {core: million instructions}, those of good float with an FPU) of example scenes and of boxes"""
-    own = {row["scene"] for row in figures.counts}
+    own = {scene for scene, _ in figures.benchmark()}
     found = []
     for scene, look, size, million in with_fpu(figures):
         if scene in own:
@@ -159,19 +159,21 @@ def examples_beside_float(figures):
 
 
 def examples_in_float(figures):
+    """The first look of each scene."""
+    first = {name.split(",")[0]: name for name, *_ in reversed(examples_beside_float(figures))}
     return table(["scene", "size", "glint, million instructions, Cortex-M0", "Cortex-M3", GOOD_FLOAT + ", Cortex-M4 with FPU",
                   "glint, Cortex-M3, against that"],
                  [[name, size, "%.2f" % counts["m0"], "%.2f" % counts["m3"], "%.2f" % million, times(counts["m3"] / million)]
-                  for name, size, counts, million in examples_beside_float(figures)])
+                  for name, size, counts, million in examples_beside_float(figures) if name in first.values()])
 
 
 def benchmark_beside_float(figures):
     """Where float takes less than the library's exact image, and where more."""
-    own = {(row["scene"], row["size"]) for row in figures.counts}
+    own = figures.benchmark()
     fewer, more = [], []
     for scene, look, size, million in with_fpu(figures):
         if (scene, size) in own and not look:
-            count = figures.instructions(scene, size, ASKED, "m4")
+            count = figures.asked(scene, size, "m4")
             (fewer if million < count else more).append("%s at %s (%.2f million, glint %.2f)" % (scene, size, million, count))
     sentences = ["With an FPU, good float takes fewer instructions than glint in %s." % listed(fewer)] if fewer else []
     return " ".join(sentences + (["It takes more in %s." % listed(more)] if more else []))
@@ -192,33 +194,54 @@ def cycles_beside_float(figures):
 def examples_behind_float(figures):
     ratios = [counts["m3"] / million for _, _, counts, million in examples_beside_float(figures)]
     behind = [ratio for ratio in ratios if ratio > 1]
-    return ("In %d of these %d frames good float with an FPU takes fewer instructions; there glint takes %.1f to %s as "
+    return ("In %d of all %d frames good float with an FPU takes fewer instructions; there glint takes %.1f to %s as "
             "many." % (len(behind), len(ratios), min(behind), times(max(behind))) if behind else
             "In these frames glint takes fewer instructions than good float with an FPU.")
 
 
+def psnr_range(figures, evaluation, choices):
+    """The least and the largest PSNR of an evaluation over all lights."""
+    values = [psnr for kind in LIGHTS for choice in choices
+              for _, _, psnr in figures.over_lights(kind, "m3", "%s %s" % (evaluation, choice))]
+    return min(values), max(values)
+
+
+def worth_of_evaluations(figures):
+    shading = dict.fromkeys(choice.split(" ", 1)[1] for choice in figures.choices())
+    return ("Per fragment, Blinn-Phong with a local viewer has %.1f to %.1f dB under all of these lights. No way per vertex has more "
+            "than %.1f dB there, and none per facet more than %.1f." % (
+                *psnr_range(figures, "fragment", ["Blinn-Phong local"]), psnr_range(figures, "vertex", shading)[1],
+                psnr_range(figures, "facet", shading)[1]))
+
+
+def eight_lights_take(figures):
+    """In place of one, by evaluation."""
+    def ratios(*evaluations):
+        pairs = [figures.over_lights(kind, "m3", evaluation + " Blinn-Phong local") for kind in LIGHTS for evaluation in evaluations]
+        found = [pair[-1][1] / pair[0][1] for pair in pairs]
+        return min(found), max(found)
+
+    return ("Eight lights in place of one take %.1f to %.1f times the instructions per facet and per vertex, and %.1f to %.1f times "
+            "per fragment, on Cortex-M3 (Blinn-Phong, local viewer)." % (*ratios("facet", "vertex"), *ratios("fragment")))
+
+
 def each_light_takes(figures):
     """On average from the third light on; the first brings what the frame takes besides."""
-    cores = []
-    for cpu in ("m3", "m4f"):
-        millions = {alone: dict(figures.over_lights(kind, cpu)) for kind, (alone, _) in LIGHTS.items()}
-        cores.append(listed(["%.2f (%s)" % ((many[8] - many[2]) / 6, alone) for alone, many in millions.items()]))
-    return ("From two lights to eight each one more takes, in million instructions, on average %s on Cortex-M3, and %s in good "
-            "float on Cortex-M4 with FPU." % tuple(cores))
+    millions = {alone: {count: million for count, million, _ in figures.over_lights(kind, "m3")} for kind, (alone, _) in LIGHTS.items()}
+    return "From two lights to eight each one more takes %s million instructions there on average." % listed(
+        ["%.2f (%s)" % ((many[8] - many[2]) / 6, alone) for alone, many in millions.items()])
 
 
-def few_and_many_lights(figures):
-    alone = dict(figures.over_lights("directional", "m3"))
+def many_lights_beside_float(figures):
     ratios = [figures.over_lights(kind, "m3")[-1][1] / figures.over_lights(kind, "m4f")[-1][1] for kind in LIGHTS]
-    return ("One directional light takes %.2f million on Cortex-M3, two take %.2f. With eight lights glint takes %.1f to %s as "
-            "many as good float with an FPU." % (alone[1], alone[2], min(ratios), times(max(ratios))))
+    return "With eight lights glint takes %.1f to %s as many instructions as good float with an FPU." % (min(ratios), times(max(ratios)))
 
 
 def best(figures):
     """Sentences before all else."""
     exact = figures.psnr(SCENE, SIZE, ASKED)
     ideal = figures.psnr(SCENE, SIZE, "correctly rounded")
-    counts = {cpu: figures.instructions(SCENE, SIZE, ASKED, cpu) for cpu in ("m3", "m0")}
+    counts = {cpu: figures.asked(SCENE, SIZE, cpu) for cpu in ("m3", "m0")}
     spent = {part["cpu"]: "%.0f ms at %s MHz" % (timing.core_ms(figures, (SCENE, SIZE, ""), part), part["core_mhz"]) for part in figures.parts}
     text = ("Lit per fragment, a torus of 2304 triangles at 320x240 has a PSNR of %.1f dB against double precision, where RGB565 "
             "itself allows %.1f. Built for speed (`-O2`), a frame of it takes %.1f million instructions on a Cortex-M3 and %.1f on "
@@ -269,23 +292,6 @@ def methods(kind, p, exponents, of="of"):
     return block
 
 
-def cheapest(kind, variant, exponents):
-    """A block: on each core the cheapest method within half a step at all of some exponents, and the library's."""
-    def block(figures):
-        cpus = figures.cpus(only(figures.bench, kind=kind))
-        good = {name for name, of, _ in figures.names(kind) if of == variant and
-                all(error <= 0.5 for p, error in figures.errors(kind, name, of) if not p or p in exponents)}
-        own = [name for name, of, shipped in figures.names(kind) if of == variant and shipped]
-        rows = [["cheapest"], ["the library's"]]
-        for cpu in cpus:
-            price = {row["name"]: (round(float(row["instructions"]), 1), int(row["table_bytes"]), row["name"])
-                     for row in only(figures.bench, kind=kind, variant=variant, cpu=cpu)}
-            for cells, names in zip(rows, (sorted(good, key=price.get)[:1], own)):
-                cells.append(", ".join("%s: %s" % (name, format_count(price[name][0])) for name in names))
-        return table(["within half a step" + (", %s" % variant if variant else "")] + [CPUS[cpu] for cpu in cpus], rows)
-    return block
-
-
 def breaks(figures):
     """At which exponents each power method stays within half a step."""
     rows = []
@@ -309,10 +315,13 @@ def ranges(errors):
 
 
 def shading(figures):
-    """Errors and instructions of each evaluation over triangles, both formats side by side."""
+    """Errors and instructions of each evaluation over every other number of triangles, both formats side by side."""
     formats = list(dict.fromkeys(row["format"] for row in figures.shading))
+    shown = list(dict.fromkeys(row["triangles"] for row in figures.shading))[::2]
     rows = []
     for row in only(figures.shading, format=formats[0]):
+        if row["triangles"] not in shown:
+            continue
         both = [one(figures.shading, format=format, evaluation=row["evaluation"], triangles=row["triangles"]) for format in formats]
         rows.append(["per " + row["evaluation"], row["triangles"]] + ["%.1f" % float(of["rms"]) for of in both] +
                     ["%.0f" % float(of["largest"]) for of in both] + ["%.1f" % (float(of["instructions"]) / 1e6) for of in both])
@@ -332,9 +341,9 @@ def exact_is_ideal(figures):
 
 
 def facet_is_cheapest(figures):
-    return all(figures.instructions(SCENE, SIZE, "facet Blinn-Phong local", cpu) ==
-               min(figures.instructions(SCENE, SIZE, evaluation + " Blinn-Phong local", cpu)
-                   for evaluation in ("facet", "vertex", "fragment")) for cpu in figures.cpus(figures.counts))
+    return all(figures.instructions(SCENE, LIGHT, "facet Blinn-Phong local", cpu) ==
+               min(figures.instructions(SCENE, LIGHT, evaluation + " Blinn-Phong local", cpu)
+                   for evaluation in ("facet", "vertex", "fragment")) for cpu in CPUS)
 
 
 # Triangles per vertex that lighting per fragment is held against.
@@ -363,11 +372,6 @@ def vertices_fall_behind(figures):
     return behind == sorted(behind)
 
 
-def small_triangles_suit_fragments(figures):
-    return all(figures.instructions("torus2304", "128x64", ASKED, cpu) <
-               figures.instructions("torus2304", "128x64", "vertex Blinn-Phong local", cpu) for cpu in ("m3", "m4"))
-
-
 def always(figures):
     return True
 
@@ -387,15 +391,12 @@ frame_findings = findings(
      "is.", exact_is_ideal),
     ("Per facet takes the fewest instructions on every core here, and shows every triangle.", facet_is_cheapest))
 
-scene_findings = findings(
-    ("The larger the triangles, the further lighting per vertex falls behind.", vertices_fall_behind),
-    ("Where triangles are a few pixels small, as in torus2304 at 128x64, lighting per fragment takes fewer instructions "
-     "than lighting per vertex on M3 and M4.", small_triangles_suit_fragments),
-    )
+scene_findings = findings(("The larger the triangles, the further lighting per vertex falls behind.", vertices_fall_behind))
 
 float_findings = findings((benchmark_beside_float, always), (cycles_beside_float, always), (examples_behind_float, always))
 
-light_findings = findings((each_light_takes, always), (few_and_many_lights, always))
+light_findings = findings((worth_of_evaluations, always), (eight_lights_take, always), (each_light_takes, always),
+                          (many_lights_beside_float, always))
 
 shading_findings = findings((fragments_need_fewer, always))
 
@@ -430,7 +431,6 @@ PAGES = {
         "best": best, "contract": contract, "steps": steps, "gallery": gallery, "frames": frames, "frame findings": frame_findings, "scenes": scenes,
         "scene findings": scene_findings, "others": others, "float findings": float_findings,
         "examples in float": examples_in_float, "light findings": light_findings, "shading": shading, "shading findings": shading_findings,
-        "normalise cheapest": cheapest("normalise", "vector", ()),
         "power": methods("power", "64", POWERS),
         "breaks": breaks, "normalise": methods("normalise", "", ())},
     "docs/cost.md": cost.BLOCKS,

@@ -3,7 +3,8 @@
 set terminal svg size 960,790 font "DejaVu Sans,12" background "#fcfcfb" noenhanced
 load "tools/chart/style.gp"
 is_line(s) = 1
-colour(s) = has(s, "facet") ? gold : has(s, "vertex") ? blue : red
+colour(s) = evaluation_colour(s)
+shape(s) = evaluation_shape(s)
 set logscale xy
 set xtics @ticks
 set ytics @ticks

@@ -1,36 +1,17 @@
 /* SPDX-License-Identifier: MIT */
 /*
  * Draws what the page of costs shows: pictures DIRECTORY
- * A PNG of the first frame of each of the benchmark's workloads that are named here, as a panel of its format shows it.
+ * A PNG of the first frame of each workload of shown.h, as a panel of its format shows it.
  */
 #include "framebuffer.h"
 #include "png.h"
-#include "workloads.h"
+#include "shown.h"
 
 #include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
-
-/** Of torus576 at 320x240; the look, then the format. */
-static const char *const shown[][2] = {
-    {"", ""},        {"unlit", ""},          {"per facet", ""}, {"per vertex", ""},      {"phong", ""},
-    {"max", ""},     {"mesh colours", ""},   {"p 8", ""},       {"p 256", ""},           {"2 directional", ""},
-    {"1 point", ""}, {"4 points", ""},       {"8 points", ""},  {"1 spot", ""},          {"4 spots", ""},
-    {"8 spots", ""}, {"", "rgb444"},         {"", "rgb888"},    {"", "rgb444 dithered"}, {"", "grey8"},
-    {"", "grey4"},   {"", "grey4 dithered"}, {"", "mono"},      {"", "mono dithered"},
-};
 
 static workload_stage stage;
 static uint32_t arena[(1 << 20) / sizeof(uint32_t)];
-
-static int is_shown(const workload *drawn) {
-    for (size_t i = 0; i < sizeof shown / sizeof shown[0]; i++) {
-        if (strcmp(drawn->look, shown[i][0]) == 0 && strcmp(drawn->output->name, shown[i][1]) == 0) {
-            return drawn->width == 320 && strcmp(drawn->scene, "torus576") == 0;
-        }
-    }
-    return 0;
-}
 
 /* DIRECTORY/look-format.png, with dashes for spaces; "plain" where it has no look */
 static void name_file(char *path, size_t size, const char *directory, const workload *drawn) {
@@ -58,6 +39,8 @@ static int draw(const workload *drawn, framebuffer *target) {
         fprintf(stderr, "%s, %s: cannot be built\n", drawn->scene, drawn->look);
         return 1;
     }
+    config.layers = stage.example.layers;
+    config.samples = stage.example.samples;
     workload_set_frame(&stage, 0);
     int status = glint_init(&renderer, &config);
     if (status == GLINT_OK) {
@@ -89,19 +72,20 @@ int main(int argc, char **argv) {
     int failed = argc != 2;
 
     for (uint32_t i = 0; i < workload_count() && !failed; i++) {
-        const workload drawn = workload_get(i);
+        workload drawn = workload_get(i);
         framebuffer target;
         char path[1000];
-        if (!is_shown(&drawn)) {
+        if (!cost_is_shown(&drawn)) {
             continue;
         }
+        drawn.by_default = 1;
         name_file(path, sizeof path, argv[1], &drawn);
         failed = draw(&drawn, &target) || write_picture(&target, path);
         framebuffer_free(&target);
         count++;
     }
-    if (!failed && count != sizeof shown / sizeof shown[0]) {
-        fprintf(stderr, "%zu of the pictures are not among the workloads\n", sizeof shown / sizeof shown[0] - count);
+    if (!failed && count != COST_SHOWN) {
+        fprintf(stderr, "%zu of the pictures are not among the workloads\n", COST_SHOWN - count);
         failed = 1;
     }
     return failed;

@@ -35,17 +35,19 @@ static void write_heading(const example_scene *scene, uint32_t variant) {
 
 /* @return 0, or 1 when it cannot be drawn */
 static int count(const example_scene *scene, uint32_t variant) {
-    const glint_config config = {.width = scene->width,
-                                 .height = scene->height,
-                                 .format = &glint_format_rgb565,
-                                 .flush = {copy_tile, 0, 0},
-                                 .arena = arena,
-                                 .arena_size = sizeof arena};
+    glint_config config = {.width = scene->width,
+                           .height = scene->height,
+                           .format = &glint_format_rgb565,
+                           .flush = {copy_tile, 0, 0},
+                           .arena = arena,
+                           .arena_size = sizeof arena};
     measured result = {0};
     glint_renderer renderer;
 
     write_heading(scene, variant);
     scene->build(&stage, variant, FRAME);
+    config.layers = stage.layers;
+    config.samples = stage.samples;
     const glint_status status = measure_frame(&config, &stage.scene, 1, &renderer, &result);
     if (status != GLINT_OK) {
         board_write(glint_strerror(status));

@@ -1,2 +1,0 @@
-# SPDX-License-Identifier: MIT
-load "tools/chart/frames.gp"
