@@ -155,15 +155,16 @@ GLINT_HOT void glint_fill_words(void *bytes, uint32_t word, size_t size) {
     glint_repeat(bytes, sizeof word, size);
 }
 
-static int paint(const glint_painter *painter, const glint_frame *frame, const glint_workspace *workspace,
-                 uint32_t tile) {
+static GLINT_NOINLINE int paint(const glint_painter *painter, const glint_frame *frame,
+                                const glint_workspace *workspace, uint32_t tile) {
     glint_tile of;
     glint_tile_find(frame, workspace, tile, &of);
     return painter->paint(painter->context, &of);
 }
 
-/* Fills a tile with background. @return not 0 where the painter failed */
-static int clear(const glint_frame *frame, glint_workspace *workspace, uint32_t tile) {
+/* Fills a tile with background. What this uses of the stack is not there while triangles are drawn.
+ * @return not 0 where the painter failed */
+static GLINT_NOINLINE int clear(const glint_frame *frame, glint_workspace *workspace, uint32_t tile) {
     const glint_config *config = &frame->config;
     if (config->background.paint) {
         const int failed = paint(&config->background, frame, workspace, tile);

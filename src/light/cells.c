@@ -183,7 +183,7 @@ static int cell_is_seen(const glint_row_walk *walk, uint32_t x, uint32_t y) {
 
 /* Finds which parts of a cell bend too much to be interpolated. @return bit i is set for square i of 4 x 4 pixels, row
  * by row, bit 4 for the whole cell */
-static uint32_t find_bent(const glint_cell_rows *r, uint32_t n) {
+static GLINT_NOINLINE uint32_t find_bent(const glint_cell_rows *r, uint32_t n) {
     uint32_t bent = 0, is_bent = 0;
     for (uint32_t k = 0; k < 3; k++) {
         static const uint8_t of_row[3] = {3, 15, 12}, of_column[3] = {5, 15, 10}; /* squares that border on it */
@@ -204,8 +204,9 @@ static uint32_t find_bent(const glint_cell_rows *r, uint32_t n) {
     return bent | is_bent;
 }
 
-/* Draws the cell at column x and row y: as a whole, or square by square. */
-static void draw_cell(glint_cell_rows *r, uint32_t x, uint32_t y) {
+/* Draws the cell at column x and row y: as a whole, or square by square. Out of line, so that light_nodes is not below
+ * what it uses of the stack. */
+static GLINT_NOINLINE void draw_cell(glint_cell_rows *r, uint32_t x, uint32_t y) {
     const uint32_t n = x / GLINT_NODE_STEP, bent = find_bent(r, n);
     glint_draw_patch *const draw = r->is_worn ? r->walk->draw->texture->type->stage->draw_patch : draw_patch;
     if (!bent) {

@@ -44,11 +44,13 @@ typedef struct glint_texture_stage {
     glint_draw_patch *draw_patch;
 } glint_texture_stage;
 
+/** Returns a texel of given number. */
+typedef uint32_t glint_read_texel(const void *texels, const uint16_t *palette, uint32_t number);
+
 struct glint_texture_type {
     uint8_t bits; /* of a texel */
     uint8_t has_palette;
-    /** Returns a texel as it is stored. */
-    uint32_t (*read)(const glint_texture *texture, uint32_t number);
+    glint_read_texel *read; /* as it is stored */
     /** Finds the colour at coordinates, 1 = GLINT_COLOUR_ONE. */
     void (*sample)(const struct glint_texture_map *map, uint32_t u, uint32_t v, int16_t colour[3]);
     /** Draw spans of RGB565 as the texels are, as they are and with swapped bytes; null where texels have other

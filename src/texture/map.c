@@ -52,26 +52,30 @@ static GLINT_NOINLINE void leave_out(corner_coordinates *c, int k) {
     c->most[k] = (uint64_t)none;
 }
 
-/* Begins the edges of a texture. If it does not repeat, coordinates are divided by a power of two, so that they fit
- * with their signs, and have room beyond the corners'. */
+/* Divides coordinates of a texture that does not repeat by a power of two, so that they fit with their signs, and have
+ * room beyond the corners'. */
+static GLINT_NOINLINE void clamp_coordinates(glint_texture_map *map, const glint_mesh *mesh, const uint16_t number[3],
+                                             corner_coordinates *c, int k) {
+    uint64_t all = (uint64_t)1 << 32;
+    for (int i = 0; i < 3; i++)
+        all |= glint_magnitude64(coordinate_of(mesh, k, number[i]));
+    const unsigned by = glint_bits64(all) - 30;
+    map->beyond[k] = (uint8_t)by;
+    c->first[k] = (uint32_t)glint_shift_right64(coordinate_of(mesh, k, number[0]), by);
+    c->to[0][k] = glint_shift_right64(c->to[0][k], by);
+    c->to[1][k] = glint_shift_right64(c->to[1][k], by);
+}
+
+/* Begins the edges of a texture. */
 static void begin_edges(glint_texture_map *map, const glint_material *material, const glint_mesh *mesh,
                         const uint16_t number[3], corner_coordinates *c) {
-    const int is_clamped = (material->flags & GLINT_MATERIAL_CLAMP) != 0;
     map->is_bilinear = (material->flags & GLINT_MATERIAL_BILINEAR) != 0;
-    map->is_plain = (uint8_t)(!is_clamped && !map->is_bilinear);
+    map->is_plain = !(material->flags & (GLINT_MATERIAL_CLAMP | GLINT_MATERIAL_BILINEAR));
     for (int k = 0; k < 2; k++) {
-        uint64_t all = (uint64_t)1 << 32;
-        map->beyond[k] = 0;
-        for (int i = 0; i < 3 && is_clamped; i++)
-            all |= glint_magnitude64(coordinate_of(mesh, k, number[i]));
-        if (is_clamped) {
-            const unsigned by = glint_bits64(all) - 30;
-            map->beyond[k] = (uint8_t)by;
-            c->first[k] = (uint32_t)glint_shift_right64(coordinate_of(mesh, k, number[0]), by);
-            c->to[0][k] = glint_shift_right64(c->to[0][k], by);
-            c->to[1][k] = glint_shift_right64(c->to[1][k], by);
-        }
         const uint32_t size = k ? map->texture->height : map->texture->width;
+        map->beyond[k] = 0;
+        if (material->flags & GLINT_MATERIAL_CLAMP)
+            clamp_coordinates(map, mesh, number, c, k);
         map->to_texels[k] = (int8_t)((int32_t)glint_leading_zeros(size) - 7 - map->beyond[k]);
         if (size == 1)
             leave_out(c, k);
@@ -156,8 +160,6 @@ static GLINT_NOINLINE int set_texture_quadratics(const glint_row_walk *walk, con
     if (!set_texture_quadratic(&s, c, 0, g, &map->by.quadratic.of[0]) ||
         !set_texture_quadratic(&s, c, 1, g, &map->by.quadratic.of[1]))
         return 0;
-    map->run[0].curve = map->by.quadratic.of[0].xx;
-    map->run[1].curve = map->by.quadratic.of[1].xx;
     map->left = INT32_MIN;
     map->right = INT32_MAX;
     return 1;
@@ -207,7 +209,7 @@ static GLINT_NOINLINE void find_by_areas(const glint_row_walk *walk, const corne
     to->most = (uint64_t)glint_product(glint_most_of(z[0], z[1], z[2]), sign * twice);
     for (int k = 0; k < 2; k++) {
         int32_t change[2];
-        map->by.quotient.up[k] = reduce_differences(map, c, k, change);
+        map->by.quotient.up[k] = (uint8_t)reduce_differences(map, c, k, change);
         const int32_t p = sign * (int32_t)glint_shift_right64(glint_product(z[1], change[0]), 30),
                       q = sign * (int32_t)glint_shift_right64(glint_product(z[2], change[1]), 30);
         to->over[k].value = none;
@@ -262,7 +264,7 @@ static GLINT_NOINLINE void find_by_rays(const glint_row_walk *walk, const corner
     to->under = plane_of_ray(n);
     for (int k = 0; k < 2; k++) {
         int32_t d[2];
-        map->by.quotient.up[k] = reduce_differences(map, c, k, d);
+        map->by.quotient.up[k] = (uint8_t)reduce_differences(map, c, k, d);
         for (int j = 0; j < 3; j++)
             n[j] =
                 sign * glint_shift_right64(glint_product(weight[1][j], d[0]) + glint_product(weight[2][j], d[1]), 15);
@@ -343,10 +345,7 @@ static inline int is_divisible(int32_t x, int32_t z) {
 
 /* Binary logarithms of the largest and the smallest size of runs, but for single pixels. */
 #define LONG_SHIFT 5
-#define SHORT_SHIFT 3
-
-/* 1/w may change by this part of itself from pixel to pixel, at most. */
-#define STEEP_SHIFT 5
+#define SHORT_SHIFT 2
 
 /* Returns a change, 2^(up - 32), in texels, 2^-12, or more than 11 bits. */
 static inline uint32_t to_texels(uint32_t change, uint32_t size, uint32_t up) {
@@ -354,14 +353,17 @@ static inline uint32_t to_texels(uint32_t change, uint32_t size, uint32_t up) {
     return up <= 10 ? texels >> (10 - up) : texels >> (42 - up) ? UINT32_MAX : texels << (up - 10);
 }
 
-/* Returns by how much coordinates are off half a run's size away, 2^-12 of a texel, or more than fits. */
-static inline uint32_t find_run_error(const glint_texture_map *map, int32_t u, int32_t v, int32_t g, unsigned shift) {
+/* Returns by how much coordinates are off half a run's size away, 2^-12 of a texel, or more than fits, and sets how
+ * much more if they are linear. */
+static inline uint32_t find_run_error(const glint_texture_map *map, int32_t u, int32_t v, int32_t g, unsigned shift,
+                                      uint32_t *bend) {
     const uint32_t texels = to_texels(glint_magnitude_bits(u), map->texture->width,
                                       map->by.quotient.up[0] + map->beyond[0]) |
                             to_texels(glint_magnitude_bits(v), map->texture->height,
                                       map->by.quotient.up[1] + map->beyond[1]),
                    change = glint_magnitude_bits(g) >> (15 - shift), /* Q16, up to 1/2 */
         square = change * change >> 16;
+    *bend = change * (texels >> (5 - shift)) >> 12;
     return texels >> 16 ? UINT32_MAX : (square + (square * change >> 15)) * (texels >> (5 - shift)) >> 12;
 }
 
@@ -373,11 +375,12 @@ static inline void set_run(glint_texture_map *map, int k, int32_t middle, int32_
 }
 
 /* Finds a run of a size, from a column on. @return the size that serves, or 0 */
-static GLINT_INLINE unsigned find_run(glint_texture_map *map, int32_t row, int32_t column, unsigned shift) {
+static GLINT_NOINLINE unsigned find_run(glint_texture_map *map, int32_t row, int32_t column, unsigned shift) {
     const int32_t size = 1 << shift, left = ((column + map->x) & -size) - map->x, x = left + size / 2;
     const int32_t z = glint_plane_at(&map->by.quotient.under, x, row),
                   u = glint_plane_at(&map->by.quotient.over[0], x, row),
-                  v = glint_plane_at(&map->by.quotient.over[1], x, row), limit = glint_shift_right(z, STEEP_SHIFT);
+                  v = glint_plane_at(&map->by.quotient.over[1], x, row),
+                  limit = glint_shift_right(z, shift); /* of changes */
     if (limit < 16 || !is_divisible(u, z) || !is_divisible(v, z) ||
         glint_magnitude_bits(map->by.quotient.under.dx) >= (uint32_t)limit ||
         !is_divisible(map->by.quotient.over[0].dx, limit) || !is_divisible(map->by.quotient.over[1].dx, limit))
@@ -387,7 +390,7 @@ static GLINT_INLINE unsigned find_run(glint_texture_map *map, int32_t row, int32
                   slope_u = divide_by(&d, map->by.quotient.over[0].dx) - 4 * glint_product_high(at_u, g),
                   slope_v = divide_by(&d, map->by.quotient.over[1].dx) - 4 * glint_product_high(at_v, g);
     const uint32_t most = MOST_RUN_ERROR(map);
-    uint32_t error = find_run_error(map, slope_u, slope_v, g, shift);
+    uint32_t bend, error = find_run_error(map, slope_u, slope_v, g, shift, &bend);
     if (error > most) {
         do {
             error /= 8;
@@ -395,8 +398,9 @@ static GLINT_INLINE unsigned find_run(glint_texture_map *map, int32_t row, int32
         } while (error > most && shift >= SHORT_SHIFT);
         return shift >= SHORT_SHIFT ? shift : 0;
     }
-    set_run(map, 0, at_u, slope_u, g);
-    set_run(map, 1, at_v, slope_v, g);
+    const int32_t bent = error + bend > most ? g : 0;
+    set_run(map, 0, at_u, slope_u, bent);
+    set_run(map, 1, at_v, slope_v, bent);
     map->left = left;
     map->origin = x;
     map->right = left + size;
@@ -416,26 +420,36 @@ static GLINT_NOINLINE void find_pixel(glint_texture_map *map, int32_t row, int32
     map->right = column + 1;
 }
 
-/* Finds the run of a pixel. */
-static GLINT_NOINLINE void find_divided(glint_texture_map *map, int32_t row, int32_t column) {
-    const int32_t part = glint_shift_right(column + map->x, LONG_SHIFT);
-    if (map->is_steep) {
-        find_pixel(map, row, column);
-        return;
-    }
-    if (map->by.quotient.row != row || map->by.quotient.part != part) {
-        map->by.quotient.part = part;
-        map->by.quotient.row = row;
-        map->by.quotient.shift = find_run(map, row, column, LONG_SHIFT);
-        if (map->by.quotient.shift == LONG_SHIFT)
-            return;
-    }
-    const unsigned shift = map->by.quotient.shift ? map->by.quotient.shift : SHORT_SHIFT;
-    if (find_run(map, row, column, shift) != shift)
-        find_pixel(map, row, column);
+/* Returns the next smaller size of runs to try, or 0, given what find_run has returned. */
+static uint32_t next_shift(uint32_t shift, unsigned serves) {
+    return serves ? serves : shift > SHORT_SHIFT ? SHORT_SHIFT : 0;
 }
 
-/* Sets the runs of a row from quadratics. */
+/* Finds the run of a pixel. What follows a part that does not serve is known for all of it, so that it does not depend
+ * on which of its pixels are drawn. */
+static inline void find_divided(glint_texture_map *map, int32_t row, int32_t column) {
+    const int32_t part = glint_shift_right(column + map->x, map->by.quotient.longest);
+    if (map->row != row || map->by.quotient.part != part) {
+        const uint32_t longest = map->by.quotient.longest;
+        map->by.quotient.part = part;
+        map->by.quotient.shift = 0;
+        if (longest) {
+            const unsigned serves = find_run(map, row, column, longest);
+            if (serves == longest)
+                return;
+            map->by.quotient.shift = (uint8_t)next_shift(longest, serves);
+        }
+    }
+    for (uint32_t shift = map->by.quotient.shift; shift;) {
+        const unsigned serves = find_run(map, row, column, shift);
+        if (serves == shift)
+            return;
+        shift = next_shift(shift, serves);
+    }
+    find_pixel(map, row, column);
+}
+
+/* Sets the run of a row from quadratics. */
 static inline void set_row(glint_texture_map *map, int32_t row) {
     const uint32_t y = (uint32_t)(row - map->by.quadratic.row);
     for (int k = 0; k < 2; k++) {
@@ -444,14 +458,24 @@ static inline void set_row(glint_texture_map *map, int32_t row) {
     }
 }
 
+void glint_find_run(glint_texture_map *map, int32_t row, int32_t column) {
+    if (map->is_quadratic)
+        set_row(map, row);
+    else
+        find_divided(map, row, column);
+    map->row = row;
+}
+
 void glint_find_coordinates(glint_texture_map *map, int32_t row, int32_t column) {
-    if (map->row != row || column < map->left || column >= map->right) {
-        if (map->is_quadratic)
-            set_row(map, row);
-        else
-            find_divided(map, row, column);
-        map->row = row;
+    if (map->is_quadratic) {
+        const uint32_t x = (uint32_t)(column - map->origin), y = (uint32_t)(row - map->by.quadratic.row);
+        map->at[0] = glint_begin_quadratic(&map->by.quadratic.of[0], x, y);
+        map->at[1] = glint_begin_quadratic(&map->by.quadratic.of[1], x, y);
+        map->bend[0] = 2 * map->by.quadratic.of[0].xx;
+        map->bend[1] = 2 * map->by.quadratic.of[1].xx;
+        return;
     }
+    glint_check_run(map, row, column);
     const uint32_t x = (uint32_t)(column - map->origin);
     for (int k = 0; k < 2; k++) {
         const glint_texture_run *run = &map->run[k];
@@ -472,9 +496,10 @@ static void set_texture_size(glint_texture_map *map, const glint_texture *textur
     map->rows = (texture->height - 1u) << across;
 }
 
-/* Returns whether planes of 1/w or of coordinates may not fit 32 bits at nodes outside of the triangle. */
-static inline int is_map_steep(int32_t z, int32_t u, int32_t v) {
-    return (glint_magnitude_bits(z) | glint_magnitude_bits(u) | glint_magnitude_bits(v)) >> 25 != 0;
+/* Returns the size of runs around whose middle planes of 1/w and of coordinates fit 32 bits outside of the triangle. */
+static inline int32_t find_longest(int32_t z, int32_t u, int32_t v) {
+    const uint32_t most = glint_magnitude_bits(z) | glint_magnitude_bits(u) | glint_magnitude_bits(v);
+    return glint_least((int32_t)glint_leading_zeros(most | 1) - 2, LONG_SHIFT);
 }
 
 /* Begins with quotients; `indices` are those of a triangle that is clipped, else null. */
@@ -491,12 +516,20 @@ static GLINT_NOINLINE void begin_quotients(const glint_row_walk *walk, const cor
     set_map_planes(walk, &planes, map);
     map->by.quotient.first[0] = c->first[0];
     map->by.quotient.first[1] = c->first[1];
-    map->by.quotient.up[0] += 2; /* quotients are Q28 */
-    map->by.quotient.up[1] += 2;
-    map->by.quotient.row = map->by.quotient.part = -1;
+    map->by.quotient.up[0] = (uint8_t)(map->by.quotient.up[0] + 2); /* quotients are Q28 */
+    map->by.quotient.up[1] = (uint8_t)(map->by.quotient.up[1] + 2);
     map->right = 0;
-    map->is_steep =
-        (uint8_t)is_map_steep(map->by.quotient.under.dx, map->by.quotient.over[0].dx, map->by.quotient.over[1].dx);
+    const int32_t longest =
+        find_longest(map->by.quotient.under.dx, map->by.quotient.over[0].dx, map->by.quotient.over[1].dx);
+    map->by.quotient.longest = 0;
+    if (longest >= SHORT_SHIFT) {
+        /* in the middle of the triangle: where other sizes serve, they are found */
+        const int32_t column = glint_shift_right((v[0]->x + v[1]->x + v[2]->x) / 3, 4) - map->x,
+                      row = glint_shift_right((v[0]->y + v[1]->y + v[2]->y) / 3 - walk->part->window.top, 4);
+        map->by.quotient.longest =
+            (uint8_t)next_shift((uint32_t)longest, find_run(map, row, column, (uint32_t)longest));
+        map->right = 0;
+    }
 }
 
 /* Finds the coordinates of a triangle's corners. This is out of line: what it uses of the stack is free again then. */

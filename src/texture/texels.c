@@ -3,25 +3,27 @@
 #include "../pixel/pixel.h"
 #include "texture.h"
 
-static inline uint32_t rgb565_at(const glint_texture *texture, uint32_t number) {
-    return ((const uint16_t *)texture->texels)[number];
+static inline uint32_t rgb565_at(const void *texels, const uint16_t *palette, uint32_t number) {
+    (void)palette;
+    return ((const uint16_t *)texels)[number];
 }
 
-static inline uint32_t grey8_at(const glint_texture *texture, uint32_t number) {
-    return ((const uint8_t *)texture->texels)[number];
+static inline uint32_t grey8_at(const void *texels, const uint16_t *palette, uint32_t number) {
+    (void)palette;
+    return ((const uint8_t *)texels)[number];
 }
 
-static inline uint32_t nibble_at(const glint_texture *texture, uint32_t number) {
-    const uint32_t pair = grey8_at(texture, number >> 1);
+static inline uint32_t nibble_at(const void *texels, const uint16_t *palette, uint32_t number) {
+    const uint32_t pair = grey8_at(texels, palette, number >> 1);
     return number & 1 ? pair & 15 : pair >> 4;
 }
 
-static inline uint32_t palette256_at(const glint_texture *texture, uint32_t number) {
-    return texture->palette[grey8_at(texture, number)];
+static inline uint32_t palette256_at(const void *texels, const uint16_t *palette, uint32_t number) {
+    return palette[grey8_at(texels, palette, number)];
 }
 
-static inline uint32_t palette16_at(const glint_texture *texture, uint32_t number) {
-    return texture->palette[nibble_at(texture, number)];
+static inline uint32_t palette16_at(const void *texels, const uint16_t *palette, uint32_t number) {
+    return palette[nibble_at(texels, palette, number)];
 }
 
 /* The sums of the channels of texels: red and blue in the halves of a word, 5 bits each, and green, 6 bits, or grey, 8
@@ -39,8 +41,9 @@ static inline void add_texel(texel_sum *sum, uint32_t texel, uint32_t weight, in
 /* Finds a colour by up to four texels, which are words of RGB565, or of grey. A place between four texels has 5 bits in
  * each direction, so that weights sum up to 2^10. */
 static GLINT_SPECIAL void sample_texels(const glint_texture_map *map, uint32_t u, uint32_t v, int16_t colour[3],
-                                        uint32_t (*at)(const glint_texture *texture, uint32_t number), int is_grey) {
-    const glint_texture *texture = map->texture;
+                                        glint_read_texel *at, int is_grey) {
+    const void *const texels = map->texture->texels;
+    const uint16_t *const palette = map->texture->palette;
     texel_sum sum = {0, 0};
     int32_t x = glint_texel_position(map, 0, u), y = glint_texel_position(map, 1, v);
     if (map->is_bilinear) {
@@ -49,13 +52,13 @@ static GLINT_SPECIAL void sample_texels(const glint_texture_map *map, uint32_t u
         const uint32_t left = glint_texel_column(map, column), right = glint_texel_column(map, column + 1),
                        above = glint_texel_row(map, row), below = glint_texel_row(map, row + 1),
                        across = (uint32_t)x & 31, down = (uint32_t)y & 31, both = across * down;
-        add_texel(&sum, at(texture, above + left), 1024 - 32 * (across + down) + both, is_grey);
-        add_texel(&sum, at(texture, above + right), 32 * across - both, is_grey);
-        add_texel(&sum, at(texture, below + left), 32 * down - both, is_grey);
-        add_texel(&sum, at(texture, below + right), both, is_grey);
+        add_texel(&sum, at(texels, palette, above + left), 1024 - 32 * (across + down) + both, is_grey);
+        add_texel(&sum, at(texels, palette, above + right), 32 * across - both, is_grey);
+        add_texel(&sum, at(texels, palette, below + left), 32 * down - both, is_grey);
+        add_texel(&sum, at(texels, palette, below + right), both, is_grey);
     } else {
         add_texel(&sum,
-                  at(texture,
+                  at(texels, palette,
                      glint_texel_column(map, glint_shift_right(x, 8)) + glint_texel_row(map, glint_shift_right(y, 8))),
                   1024, is_grey);
     }
@@ -81,55 +84,76 @@ static inline uint32_t glow_channel(uint32_t level, uint32_t light, uint32_t glo
 /* Texels show as they are, times walk->lanes, or that plus walk->gloss. */
 enum { TEXELS_UNLIT, TEXELS_SHADED, TEXELS_GLOWING };
 
-/* Draws a span of RGB565 from texels of a type that has such colours. */
-static GLINT_SPECIAL void draw_texel_span(const glint_row_walk *walk, int32_t row, int32_t left, int32_t right,
-                                          uint32_t (*at)(const glint_texture *texture, uint32_t number), int swaps,
-                                          int kind) {
-    glint_texture_map *const map = walk->map;
-    const glint_texture *const texture = map->texture;
+/* Reads a number at each pixel that would take a register from one that is used more often. */
+static inline uint32_t read_in_loop(const uint32_t *from) {
+    return *(const volatile uint32_t *)from;
+}
+
+/* What pixels of a span have beside texels. */
+typedef struct span_light {
+    glint_lanes light, gloss;
+} span_light;
+
+/* Draws a run of RGB565 from texels of a type that has such colours. */
+static GLINT_INLINE void draw_texel_run(const glint_row_walk *walk, uint16_t *depth, const uint16_t *end, uint32_t z,
+                                        span_light *l, glint_read_texel *at, int swaps, int kind, int is_bent) {
+    const glint_texture_map *const map = walk->map;
+    const void *const texels = map->texture->texels;
+    const uint16_t *const palette = map->texture->palette;
     const uintptr_t from_depth = (uintptr_t)walk->pixels - (uintptr_t)walk->depth;
     const uint32_t dz = (uint32_t)walk->z.dx;
-    uint32_t z = glint_z_at(walk, row, left);
+    glint_stepped_quadratic u = map->at[0], v = map->at[1];
+    do {
+        uint32_t here = z >> 15;
+        GLINT_OPAQUE(here); /* else compilers compute it twice */
+        if (here > *depth) {
+            uint32_t colour = at(texels, palette, glint_texel_number(map, u.value, v.value));
+            *depth = (uint16_t)here;
+            if (kind == TEXELS_SHADED)
+                colour = shade_channel(colour >> 11, l->light.red_blue & 0xffff) << 11 |
+                         shade_channel(colour >> 5 & 63, l->light.green >> 16) << 5 |
+                         shade_channel(colour & 31, l->light.red_blue >> 16);
+            else if (kind == TEXELS_GLOWING)
+                colour = glow_channel(colour >> 11, l->light.red_blue & 0xffff, l->gloss.red_blue & 0xffff, 31) << 11 |
+                         glow_channel(colour >> 5 & 63, l->light.green >> 16, l->gloss.green >> 16, 63) << 5 |
+                         glow_channel(colour & 31, l->light.red_blue >> 16, l->gloss.red_blue >> 16, 31);
+            *(uint16_t *)((uintptr_t)depth + from_depth) = (uint16_t)(swaps ? glint_to_high_first(colour) : colour);
+        }
+        z += dz;
+        glint_step_quadratic(&u, is_bent ? read_in_loop(&map->bend[0]) : 0);
+        glint_step_quadratic(&v, is_bent ? read_in_loop(&map->bend[1]) : 0);
+        if (kind != TEXELS_UNLIT) {
+            l->light.red_blue += walk->lanes[1].red_blue;
+            l->light.green += walk->lanes[1].green;
+        }
+        if (kind == TEXELS_GLOWING) {
+            l->gloss.red_blue += walk->gloss[1].red_blue;
+            l->gloss.green += walk->gloss[1].green;
+        }
+    } while (++depth != end);
+}
+
+/* Draws a span. */
+static GLINT_SPECIAL void draw_texel_span(const glint_row_walk *walk, int32_t row, int32_t left, int32_t right,
+                                          glint_read_texel *at, int swaps, int kind) {
+    glint_texture_map *const map = walk->map;
     uint16_t *depth = walk->depth + ((uint32_t)row << walk->shift) + left;
-    glint_lanes light = {0, 0}, gloss = {0, 0};
+    span_light l = {{0, 0}, {0, 0}};
     if (kind != TEXELS_UNLIT)
-        light = glint_lanes_at(walk, row, left);
+        l.light = glint_lanes_at(walk, row, left);
     if (kind == TEXELS_GLOWING)
-        gloss = glint_gloss_at(walk, left);
+        l.gloss = glint_gloss_at(walk, left);
     do {
         glint_find_coordinates(map, row, left);
-        glint_stepped_quadratic u = map->at[0], v = map->at[1];
+        const uint32_t z = glint_z_at(walk, row, left);
         const int32_t stop = glint_least(map->right, right);
-        const uint16_t *const end = depth + (stop - left);
+        uint16_t *const end = depth + (stop - left);
         left = stop;
-        do {
-            uint32_t here = z >> 15;
-            GLINT_OPAQUE(here); /* else compilers compute it twice */
-            if (here > *depth) {
-                uint32_t colour = at(texture, glint_texel_number(map, u.value, v.value));
-                *depth = (uint16_t)here;
-                if (kind == TEXELS_SHADED)
-                    colour = shade_channel(colour >> 11, light.red_blue & 0xffff) << 11 |
-                             shade_channel(colour >> 5 & 63, light.green >> 16) << 5 |
-                             shade_channel(colour & 31, light.red_blue >> 16);
-                else if (kind == TEXELS_GLOWING)
-                    colour = glow_channel(colour >> 11, light.red_blue & 0xffff, gloss.red_blue & 0xffff, 31) << 11 |
-                             glow_channel(colour >> 5 & 63, light.green >> 16, gloss.green >> 16, 63) << 5 |
-                             glow_channel(colour & 31, light.red_blue >> 16, gloss.red_blue >> 16, 31);
-                *(uint16_t *)((uintptr_t)depth + from_depth) = (uint16_t)(swaps ? glint_to_high_first(colour) : colour);
-            }
-            z += dz;
-            glint_step_quadratic(&u, map->bend[0]);
-            glint_step_quadratic(&v, map->bend[1]);
-            if (kind != TEXELS_UNLIT) {
-                light.red_blue += walk->lanes[1].red_blue;
-                light.green += walk->lanes[1].green;
-            }
-            if (kind == TEXELS_GLOWING) {
-                gloss.red_blue += walk->gloss[1].red_blue;
-                gloss.green += walk->gloss[1].green;
-            }
-        } while (++depth != end);
+        if (kind == TEXELS_UNLIT && !GLINT_SMALL && !(map->bend[0] | map->bend[1]))
+            draw_texel_run(walk, depth, end, z, &l, at, swaps, kind, 0);
+        else
+            draw_texel_run(walk, depth, end, z, &l, at, swaps, kind, 1);
+        depth = end;
     } while (left < right);
 }
 
@@ -159,9 +183,11 @@ static inline uint32_t light_texel(const glint_sun_triangle *t, uint32_t texel, 
 
 /* Draws a span of RGB565 under one sun from texels of a type that has such colours. */
 static GLINT_SPECIAL void draw_sun_span(const glint_row_walk *walk, int32_t row, int32_t left, int32_t right,
-                                        uint32_t (*at)(const glint_texture *texture, uint32_t number), int swaps) {
+                                        glint_read_texel *at, int swaps) {
     const glint_sun_triangle *t = walk->suns;
     glint_texture_map *const map = walk->map;
+    const void *const texels = map->texture->texels;
+    const uint16_t *const palette = map->texture->palette;
     const uint32_t x = (uint32_t)(left - walk->slopes.column), y = (uint32_t)(row - walk->slopes.row);
     uint32_t z = glint_z_at(walk, row, left), light = t->lit->light.value + x * t->lit->light.x + y * t->lit->light.y;
     glint_stepped_quadratic square = glint_begin_quadratic(&t->normal, x, y), half = {0, 0};
@@ -179,7 +205,7 @@ static GLINT_SPECIAL void draw_sun_span(const glint_row_walk *walk, int32_t row,
             GLINT_OPAQUE(here); /* else compilers compute it twice */
             if (here > *depth) {
                 *depth = (uint16_t)here;
-                const uint32_t texel = at(map->texture, glint_texel_number(map, u.value, v.value)),
+                const uint32_t texel = at(texels, palette, glint_texel_number(map, u.value, v.value)),
                                packed = glint_spread_pack(light_texel(t, texel, light, square.value, half.value));
                 *(uint16_t *)((uintptr_t)depth + t->from_depth) =
                     (uint16_t)(swaps ? glint_to_high_first(packed & 0xffff) : packed);
@@ -197,21 +223,21 @@ static GLINT_SPECIAL void draw_sun_span(const glint_row_walk *walk, int32_t row,
 
 /* Multiplies words by texels of a type that has colours of RGB565. */
 static GLINT_SPECIAL void multiply_by(const glint_row_walk *walk, int32_t row, uint32_t begin, glint_spread *p,
-                                      const glint_spread *end,
-                                      uint32_t (*at)(const glint_texture *texture, uint32_t number)) {
+                                      const glint_spread *end, glint_read_texel *at) {
     glint_texture_map *map = walk->map;
+    const void *const texels = map->texture->texels;
+    const uint16_t *const palette = map->texture->palette;
     const uint32_t half_level = walk->draw->extra ? 0 : walk->suns->suns->half_level;
     while (p != end) {
         const int32_t column = (int32_t)(p->offset - begin);
-        if (row != map->row || column < map->left || column >= map->right)
-            glint_find_coordinates(map, row, column);
+        glint_check_run(map, row, column);
         const glint_texture_run u = map->run[0], v = map->run[1];
         const uint32_t origin = begin + (uint32_t)map->origin, count = (uint32_t)(map->right - column),
                        first = p->offset;
         do {
             const uint32_t x = p->offset - origin,
                            number = glint_texel_number(map, glint_coordinate_at(&u, x), glint_coordinate_at(&v, x)),
-                           colour = at(map->texture, number);
+                           colour = at(texels, palette, number);
             p->colour = multiply_word(p->colour, colour) + half_level;
         } while (++p != end && p->offset - first < count);
     }

@@ -36,21 +36,21 @@ typedef struct glint_texture_map {
     glint_texture_run run[2];
     int32_t row, left, right, origin; /* of the run: its row, the columns that it serves, and that of x = 0 */
     int32_t x;                        /* the tile's first column on the screen */
-    uint8_t is_steep;                 /* runs are single pixels */
-    uint8_t is_quadratic;             /* runs are rows of quadratics, else quotients */
     union {
         struct {
             glint_quadratic of[2];
             int32_t row; /* their first one */
         } quadratic;
         struct {
-            uint32_t first[2], up[2];   /* coordinates of the first corner, and a quotient, Q28, times 2^up; */
+            uint32_t first[2];          /* coordinates of the first corner, and a quotient, Q28, times 2^up; */
             glint_plane over[2], under; /* its numerators, and 1/w, from the tile's first pixel on */
-            int32_t row, part;          /* the part of a row that was looked at last */
-            uint32_t shift;             /* the size of its runs, binary logarithm, or 0 */
+            int32_t part;               /* the part of `row` that was looked at last */
+            uint8_t up[2];
+            uint8_t longest, shift; /* sizes of runs, binary logarithms: of parts, and in this one; 0 for pixels */
         } quotient;
     } by;
     uint8_t is_begun;
+    uint8_t is_quadratic;     /* runs are rows of quadratics, else quotients */
     uint8_t is_even;          /* light is the same at all pixels, and known */
     uint8_t is_plain;         /* texels repeat, and the nearest one shows */
     uint8_t is_bilinear;      /* colours of four texels are mixed */
@@ -65,6 +65,13 @@ typedef struct glint_texture_map {
 
 /** Begins the map of the walk's triangle, whose depth has been begun. */
 void glint_begin_map(const glint_row_walk *walk, glint_texture_map *map);
+
+/** Finds the run of a pixel, and does unless it is the last one. */
+void glint_find_run(glint_texture_map *map, int32_t row, int32_t column);
+static inline void glint_check_run(glint_texture_map *map, int32_t row, int32_t column) {
+    if (row != map->row || column < map->left || column >= map->right)
+        glint_find_run(map, row, column);
+}
 
 /** Finds the coordinates of a pixel, map->at, which may be stepped up to before column map->right. */
 void glint_find_coordinates(glint_texture_map *map, int32_t row, int32_t column);

@@ -28,10 +28,11 @@ static glint_status check_worn(const glint_material *material, const glint_mesh 
 /* Returns the texel at coordinates as it is stored. */
 static GLINT_INLINE uint32_t read_texel(const glint_texture_map *map, uint32_t u, uint32_t v) {
     const glint_texture *texture = map->texture;
-    return texture->type->read(
-        texture, map->is_plain ? glint_texel_number(map, u, v)
-                               : glint_texel_column(map, glint_shift_right(glint_texel_position(map, 0, u), 8)) +
-                                     glint_texel_row(map, glint_shift_right(glint_texel_position(map, 1, v), 8)));
+    return texture->type->read(texture->texels, texture->palette,
+                               map->is_plain
+                                   ? glint_texel_number(map, u, v)
+                                   : glint_texel_column(map, glint_shift_right(glint_texel_position(map, 0, u), 8)) +
+                                         glint_texel_row(map, glint_shift_right(glint_texel_position(map, 1, v), 8)));
 }
 
 /* Finds the colour at coordinates outside of holes, 1 = GLINT_COLOUR_ONE. */
@@ -101,16 +102,17 @@ static int is_hole(glint_row_walk *walk, int32_t row, int32_t column) {
 /* ---- Light at fragments ---- */
 
 static void find_worn(const glint_row_walk *walk, int32_t row, int32_t column, int16_t colour[3]) {
-    glint_texture_map *map = begun_map(walk);
-    if (row != map->row || column < map->left || column >= map->right)
-        glint_find_coordinates(map, row, column);
+    glint_texture_map *map = walk->map;
+    GLINT_REQUIRE(map->is_begun);
+    glint_check_run(map, row, column);
     const uint32_t x = (uint32_t)(column - map->origin);
     sample(map, glint_coordinate_at(&map->run[0], x), glint_coordinate_at(&map->run[1], x), colour);
 }
 
 static void multiply_words(const glint_row_walk *walk, int32_t row, uint32_t begin, glint_spread *p,
                            const glint_spread *end) {
-    const glint_texture_map *map = begun_map(walk);
+    const glint_texture_map *map = walk->map;
+    GLINT_REQUIRE(map->is_begun);
     const uint32_t half_level = walk->draw->extra ? 0 : walk->suns->suns->half_level;
     if (map->is_plain && map->texture->type->multiply) {
         map->texture->type->multiply(walk, row, begin, p, end);

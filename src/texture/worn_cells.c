@@ -38,6 +38,13 @@ static GLINT_NOINLINE void begin_node_light(patch *to, const glint_cell_rows *r,
     *to = begin_patch(r, bits, node[0] + place, node[1] + place, node[2] + place, node[3] + place);
 }
 
+/* Sets the lanes of a row of a square, as set_patch_lanes does, and steps to the next row. Out of line for the stack.
+ */
+static GLINT_NOINLINE void step_node_light(patch *p, uint32_t x, glint_lanes to[2]) {
+    set_patch_lanes(p, x, to);
+    step_patch(p);
+}
+
 /* Does what draw_patch does, where a texture is to multiply light. */
 GLINT_HOT void glint_draw_worn_patch(const glint_cell_rows *r, uint32_t x, uint32_t y, unsigned bits, const int16_t *a,
                                      const int16_t *b, const int16_t *below_a, const int16_t *below_b) {
@@ -55,14 +62,10 @@ GLINT_HOT void glint_draw_worn_patch(const glint_cell_rows *r, uint32_t x, uint3
     glint_leave_holes(walk);
     for (uint32_t row = y; row < y + (1u << bits); row++) {
         uint32_t left, right;
-        if (clip_to_columns(list, row, x, x + (1u << bits), &left, &right)) {
-            set_patch_lanes(&light, x, walk->lanes);
-            if (is_glowing)
-                set_patch_lanes(&gloss, x, walk->gloss);
-            walk->draw_span(walk, (int32_t)row, (int32_t)left, (int32_t)right);
-        }
-        step_patch(&light);
+        step_node_light(&light, x, walk->lanes);
         if (is_glowing)
-            step_patch(&gloss);
+            step_node_light(&gloss, x, walk->gloss);
+        if (clip_to_columns(list, row, x, x + (1u << bits), &left, &right))
+            walk->draw_span(walk, (int32_t)row, (int32_t)left, (int32_t)right);
     }
 }

@@ -15,7 +15,7 @@ from qemu import Died, Machine, Tally  # noqa: E402
 
 # Bytes. Large textured triangles in layers take most of a frame; glint_check draws one below what it keeps itself.
 BAR = 2048
-BARS = {"glint_render": 2176, "glint_render_region": 2208, "glint_check": 2656}
+BARS = {"glint_check": 2560}
 # Beside frames, the program draws hundreds of scenes before it writes a line.
 SECONDS = 1800
 
