@@ -17,11 +17,14 @@ HOST_PARTS     := $(filter-out %/main.o,$(HOST_OBJECTS)) $(call objects,$(BUILD)
 HOST_CONVERTER := $(BUILD)/host/glint-without-scenes
 BARE_OBJECTS   := $(BUILD)/host/bare-main.o $(BUILD)/host/bare-simplify.o
 
-# A program of its own reads other formats than OBJ; it is built where the compiler finds assimp (libassimp-dev).
+# A program of its own reads other formats than OBJ; it is built where the compiler finds assimp (libassimp-dev), and
+# decodes JPEG where it finds libjpeg (libjpeg-dev).
 # glint itself simplifies meshes where the compiler finds meshoptimizer (libmeshoptimizer-dev).
 HASH           := \#
 has_header      = $(shell printf '%cinclude <$1>' '$(HASH)' | $(CC) -E - >/dev/null 2>&1 && echo yes)
 IMPORT_PROGRAM := $(if $(call has_header,assimp/cimport.h),$(BUILD)/host/glint-import)
+HAS_JPEG       := $(call has_header,jpeglib.h)
+JPEG           := $(if $(HAS_JPEG),-ljpeg)
 HAS_SIMPLIFIER := $(call has_header,meshoptimizer.h)
 SIMPLIFIER     := $(if $(HAS_SIMPLIFIER),-lmeshoptimizer)
 
@@ -33,7 +36,7 @@ $(HOST_PROGRAM): $(BUILD)/host/port/host/main.o $(HOST_PARTS)
 	$(Q)$(CC) $(HOST_CFLAGS) $^ $(SIMPLIFIER) -lm -o $@
 
 $(BUILD)/host/glint-import: $(call objects,$(BUILD)/host,$(IMPORT_SOURCES))
-	$(Q)$(CC) $(HOST_CFLAGS) $^ -lassimp -lm -o $@
+	$(Q)$(CC) $(HOST_CFLAGS) $^ -lassimp $(JPEG) -lm -o $@
 
 $(HOST_CONVERTER): $(BARE_OBJECTS) $(filter-out %/scene.o %/simplify.o $(BUILD)/host/examples/%,$(HOST_PARTS))
 	$(Q)$(CC) $(HOST_CFLAGS) $^ -lm -o $@
@@ -42,14 +45,17 @@ $(BARE_OBJECTS): $(BUILD)/host/bare-%.o: port/host/%.c Makefile
 	$(Q)$(CC) $(HOST_CFLAGS) -DHOST_WITHOUT_SCENES -MMD -MP -c $< -o $@
 -include $(wildcard $(BARE_OBJECTS:.o=.d))
 
-# The simplifier is compiled again where its library has come or gone.
+# The simplifier and the decoder of JPEG are compiled again where their library has come or gone.
 SIMPLIFIER_STAMP := $(BUILD)/host/simplifier-$(or $(HAS_SIMPLIFIER),no)
-$(SIMPLIFIER_STAMP):
+JPEG_STAMP       := $(BUILD)/host/jpeg-$(or $(HAS_JPEG),no)
+$(SIMPLIFIER_STAMP) $(JPEG_STAMP):
 	@mkdir -p $(@D)
-	@rm -f $(BUILD)/host/simplifier-*
+	@rm -f $(@:-yes=-no) $(@:-no=-yes)
 	@touch $@
 $(BUILD)/host/port/host/simplify.o: TEST_CFLAGS += $(if $(HAS_SIMPLIFIER),-DHOST_WITH_MESHOPTIMIZER)
 $(BUILD)/host/port/host/simplify.o: $(SIMPLIFIER_STAMP)
+$(BUILD)/host/port/host/import/jpeg.o: TEST_CFLAGS += $(if $(HAS_JPEG),-DHOST_WITH_JPEG)
+$(BUILD)/host/port/host/import/jpeg.o: $(JPEG_STAMP)
 
 demo: $(HOST_PROGRAM) $(IMPORT_PROGRAM) ## draw a sheet of models and name its file
 	@$(HOST_PROGRAM) demo -o $(BUILD)/demo.png

@@ -38,7 +38,7 @@ format() {
 tidy() {
     local status=0
     tidy_files "-Isrc" 'src/*.c' || status=1
-    tidy_files "-Isrc -Iport/host -Iexamples $(sdl2-config --cflags) -DHOST_WITH_MESHOPTIMIZER" 'port/host/*.c' || status=1
+    tidy_files "-Isrc -Iport/host -Iexamples $(sdl2-config --cflags) -DHOST_WITH_MESHOPTIMIZER -DHOST_WITH_JPEG" 'port/host/*.c' || status=1
     tidy_files "-Isrc -Iport -Iport/libc -Iexamples -Itests -DBOARD_ARENA=65536 -DBOARD_TILE_WIDTH=0 -DBOARD_TILE_HEIGHT=0 $(arm)" \
         'port/*.c' 'examples/firmware/*.c' 'tests/board/*_board.c' \
         'tests/board/pattern.c' 'tests/board/unit.c' 'tests/board/faults.c' ':!port/host' ':!port/virt' ':!port/riscv' ':!port/sifive_e' ':!port/web' \

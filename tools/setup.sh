@@ -66,6 +66,7 @@ look() {
     [ -e /usr/s390x-linux-gnu/include/stdio.h ] || missing+=(libc6-dev-s390x-cross)
     [ -e /usr/riscv64-linux-gnu/include/stdio.h ] || missing+=(libc6-dev-riscv64-cross)
     [ -e /usr/include/assimp/cimport.h ] || missing+=(libassimp-dev)
+    [ -e /usr/include/jpeglib.h ] || missing+=(libjpeg-dev)
     [ -e /usr/include/meshoptimizer.h ] || missing+=(libmeshoptimizer-dev)
     /usr/bin/python3 -c 'import Xlib' 2>/dev/null || missing+=(python3-xlib)
     ls /usr/lib/llvm-19/lib/clang/19/lib/linux/libclang_rt.profile-*.a >/dev/null 2>&1 || missing+=(libclang-rt-19-dev)

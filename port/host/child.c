@@ -8,6 +8,7 @@
 #include <errno.h>
 #include <fcntl.h>
 #include <signal.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/resource.h>
@@ -28,16 +29,16 @@ static void limit(int resource, rlim_t most) {
 }
 
 /** Runs the program in this process. Text on stderr beyond the size of a pipe is lost. */
-static void become(char *const arguments[], const child_limits *limits, const int output[2], const int errors[2]) {
-    const int nothing = open("/dev/null", O_RDONLY);
-    const int others[] = {nothing, output[0], output[1], errors[0], errors[1]};
+static void become(char *const arguments[], const child_limits *limits, int input, const int output[2],
+                   const int errors[2]) {
+    const int others[] = {input, output[0], output[1], errors[0], errors[1]};
     limit(RLIMIT_CPU, limits->seconds + 1);
     limit(RLIMIT_AS, (rlim_t)limits->megabytes << 20);
     limit(RLIMIT_FSIZE, 0);
     limit(RLIMIT_CORE, 0);
     alarm(limits->seconds);
-    if (nothing >= 0 && fcntl(errors[1], F_SETFL, O_NONBLOCK) == 0 && dup2(nothing, 0) >= 0 &&
-        dup2(output[1], 1) >= 0 && dup2(errors[1], 2) >= 0) {
+    if (fcntl(errors[1], F_SETFL, O_NONBLOCK) == 0 && dup2(input, 0) >= 0 && dup2(output[1], 1) >= 0 &&
+        dup2(errors[1], 2) >= 0) {
         for (size_t i = 0; i < sizeof others / sizeof others[0]; i++) {
             if (others[i] > 2) {
                 close(others[i]);
@@ -86,19 +87,37 @@ static bool judge(const host_bytes *said, const child_limits *limits, int status
                                                                                     : "failed without a word");
 }
 
-bool child_run(char *const arguments[], const child_limits *limits, host_bytes *out, host_problem *problem) {
+/**
+ * Opens the input: a temporary file without a name, since a program that does not read a pipe would block us.
+ * @return a file descriptor, or -1
+ */
+static int open_input(const host_bytes *input) {
+    FILE *file = input != NULL ? tmpfile() : fopen("/dev/null", "rb");
+    const size_t count = input != NULL ? input->count : 0;
+    const bool ok = file != NULL && (count == 0 || fwrite(input->data, 1, count, file) == count) && fflush(file) == 0;
+    const int number = ok ? dup(fileno(file)) : -1;
+    if (file != NULL) {
+        fclose(file);
+    }
+    return number >= 0 && lseek(number, 0, SEEK_SET) == 0 ? number : -1;
+}
+
+bool child_run(char *const arguments[], const child_limits *limits, const host_bytes *input, host_bytes *out,
+               host_problem *problem) {
+    const int from = open_input(input);
     host_bytes said = {NULL, 0, 0};
     int output[2];
     int errors[2];
     int status = 0;
     pid_t process;
     memset(out, 0, sizeof *out);
-    if (pipe(output) != 0 || pipe(errors) != 0 || (process = fork()) < 0) {
+    if (from < 0 || pipe(output) != 0 || pipe(errors) != 0 || (process = fork()) < 0) {
         return problem_set(problem, 0, "could not be run: %s", strerror(errno));
     }
     if (process == 0) {
-        become(arguments, limits, output, errors);
+        become(arguments, limits, from, output, errors);
     }
+    close(from);
     close(output[1]);
     close(errors[1]);
     read_pipe(output[0], limits->output + 1, out);
@@ -113,7 +132,7 @@ bool child_run(char *const arguments[], const child_limits *limits, host_bytes *
     while (waitpid(process, &status, 0) < 0 && errno == EINTR) {
     }
     const bool ok = fits ? judge(&said, limits, status, problem)
-                         : problem_set(problem, 0, "comes to more than %zu MB of text", limits->output / 1000000);
+                         : problem_set(problem, 0, "comes to more than %zu MB", limits->output / 1000000);
     free(said.data);
     if (!ok) {
         free(out->data);

@@ -142,7 +142,7 @@ static void read_texture(gltf_file *file, const json_value *material, mtl_textur
     }
     if (!json_whole(json_member(info, "index"), &number) || number >= file->textures.count ||
         !json_whole(json_member(file->textures.items[number], "source"), &source) || source >= file->images.count) {
-        reader_warn(file->base, "a texture is not drawn: it has no image of PNG");
+        reader_warn(file->base, "a texture is not drawn: it has no image of PNG or JPEG");
         return;
     }
     name_image(file, source, made);

@@ -18,18 +18,24 @@ bool importer_takes(const char *name) {
     return dot != NULL && dot > path_base_name(name) && strcasecmp(dot, ".obj") != 0;
 }
 
-/** The program's path, or its name alone where the system does not tell this one's folder. */
-static void find_program(char path[PATH_MAX]) {
+/**
+ * Finds the program. @param path set to its path, or to its name alone where the system does not tell this one's folder
+ * @return false when it is not there
+ */
+static bool find_program(char path[PATH_MAX]) {
     static const char name[] = "glint-import";
     const char *given = getenv("GLINT_IMPORT");
     if (given != NULL && strlen(given) < PATH_MAX) {
         strcpy(path, given);
-        return;
+    } else {
+        const ssize_t length = readlink("/proc/self/exe", path, PATH_MAX - sizeof name);
+        path[length > 0 ? length : 0] = '\0';
+        strcpy(path + (path_base_name(path) - path), name);
     }
-    const ssize_t length = readlink("/proc/self/exe", path, PATH_MAX - sizeof name);
-    path[length > 0 ? length : 0] = '\0';
-    strcpy(path + (path_base_name(path) - path), name);
+    return strchr(path, '/') == NULL || access(path, X_OK) == 0;
 }
+
+/* ---- Models ----------------------------------------------------------------------------------------------------- */
 
 /** Where a mark begins that is a line of its own, or null. */
 static const char *find_line(const host_bytes *text, const char *mark) {
@@ -97,18 +103,62 @@ bool importer_load(const char *name, const child_limits *limits, host_mesh *mesh
     char program[PATH_MAX];
     char *const model = (char *)(uintptr_t)name; /* execvp takes it without const, and leaves it as it is */
     char *const arguments[] = {program, model, NULL};
-    find_program(program);
-    if (strchr(program, '/') != NULL && access(program, X_OK) != 0) {
+    if (!find_program(program)) {
         return problem_set(problem, 0,
                            "only OBJ, STL, PLY, OFF and glTF are read: for others install libassimp-dev, and run make "
                            "host again");
     }
     host_bytes text;
     host_problem why;
-    bool ok = child_run(arguments, limits, &text, &why);
+    bool ok = child_run(arguments, limits, NULL, &text, &why);
     if (ok) {
         ok = read_text(&text, mesh, materials, warnings, &why);
         free(text.data);
+    }
+    return ok || problem_set(problem, 0, "cannot be imported: %s", why.text);
+}
+
+/* ---- Pictures --------------------------------------------------------------------------------------------------- */
+
+/** Bytes before the pixels: the width and the height, the higher byte first. */
+#define HEAD_SIZE 4u
+
+static bool read_pixels(const host_bytes *printed, host_picture *picture, host_problem *problem) {
+    const uint8_t *from = printed->data;
+    const uint32_t width = printed->count >= HEAD_SIZE ? (uint32_t)(from[0] << 8 | from[1]) : 0;
+    const uint32_t height = printed->count >= HEAD_SIZE ? (uint32_t)(from[2] << 8 | from[3]) : 0;
+    const size_t count = (size_t)width * height;
+    if (count == 0 || width > PICTURE_SIDE_MAX || height > PICTURE_SIDE_MAX ||
+        printed->count - HEAD_SIZE != 3 * count) {
+        return problem_set(problem, 0, "the program gave no whole picture");
+    }
+    picture->pixels = memory_new(count, sizeof *picture->pixels);
+    picture->width = width;
+    picture->height = height;
+    for (size_t i = 0; i < count; i++) {
+        memcpy(picture->pixels[i], from + HEAD_SIZE + 3 * i, 3);
+        picture->pixels[i][3] = 255;
+    }
+    return true;
+}
+
+bool importer_decode(const host_bytes *file, const child_limits *limits, host_picture *picture, host_problem *problem) {
+    const child_limits fitting = {limits->seconds, limits->megabytes,
+                                  HEAD_SIZE + 3 * (size_t)PICTURE_SIDE_MAX * PICTURE_SIDE_MAX};
+    char program[PATH_MAX];
+    char option[] = "--jpeg";
+    char *const arguments[] = {program, option, NULL};
+    if (!find_program(program)) {
+        return problem_set(problem, 0,
+                           "JPEG is read by glint-import: install libassimp-dev and libjpeg-dev, and run make host "
+                           "again");
+    }
+    host_bytes printed;
+    host_problem why;
+    bool ok = child_run(arguments, &fitting, file, &printed, &why);
+    if (ok) {
+        ok = read_pixels(&printed, picture, &why);
+        free(printed.data);
     }
     return ok || problem_set(problem, 0, "cannot be imported: %s", why.text);
 }

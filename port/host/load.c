@@ -88,7 +88,7 @@ bool load_model(const char *name, const load_options *options, host_model *model
         return false;
     }
     model->parts = NULL;
-    if (!textures_load(name, options->picture, &options->texture, mesh, &model->materials, &model->warnings, problem) ||
+    if (!textures_load(name, options, mesh, &model->materials, &model->warnings, problem) ||
         (options->objects && !number_parts(model, problem))) {
         model_free(model);
         return false;

@@ -301,27 +301,6 @@ void materials_name(obj_materials *named, host_mesh *mesh, host_materials *mater
 /** The material of a number; null for 0. */
 const mtl_material *materials_find(const host_materials *materials, uint32_t number);
 
-/**
- * Makes the textures of the materials in use, and takes the mesh's coordinates to them. What cannot be read is warned
- * of. Corners of triangles without a texture lose their coordinates.
- * @param model its path
- * @param chosen a picture that all materials have in place of their own, by its path as it stands; or null. What has no
- * material then gets one.
- * @param warnings of the model; those of a file of materials get its own
- * @return false with a problem when the chosen picture cannot be drawn
- */
-bool textures_load(const char *model, const char *chosen, const texture_options *options, host_mesh *mesh,
-                   host_materials *materials, host_warnings *warnings, host_problem *problem);
-
-/** Bytes of flash that all textures take. */
-size_t textures_size(const host_materials *materials);
-
-/** Prints a line for each texture: its size, type, bytes, and ratio of peak signal to noise in decibels. */
-void textures_print(const host_materials *materials);
-
-/** Frees what textures_load made. */
-void textures_free(host_materials *materials);
-
 /** Prints the warnings of the MTL files, a line each. */
 void materials_print_warnings(const host_materials *materials);
 
@@ -384,28 +363,30 @@ typedef struct child_limits {
 } child_limits;
 
 /**
- * Runs a program, which reads nothing, and keeps what it prints on stdout. It can write
- * nothing into files. It is over when this
- * returns, whatever it did.
+ * Runs a program and keeps what it prints on stdout. It can write nothing into files. It is over when this returns,
+ * whatever it did.
  * @param arguments the program, with or without its folder as for execvp, what it takes, and a null pointer
+ * @param input bytes that it reads on stdin; null for none
  * @param out set; the caller frees its data
  * @return false with a problem of line 0 when it could not be run, did not end in time, printed too much, was ended by
  *         a signal, or has an exit status other than 0: then it says what its first line on stderr does; nothing is
  *         then to be freed
  */
-bool child_run(char *const arguments[], const child_limits *limits, host_bytes *out, host_problem *problem);
+bool child_run(char *const arguments[], const child_limits *limits, const host_bytes *input, host_bytes *out,
+               host_problem *problem);
 
 /*
- * Models in formats that nothing here reads, by the program glint-import (port/host/import), which is there where
- * libassimp-dev was when `make` ran. It runs under limits, and what it prints is read as any OBJ file is. Takes POSIX.
+ * Models and pictures in formats that nothing here reads, by the program glint-import (port/host/import), which is
+ * there where libassimp-dev was when `make` ran. It runs under limits, and nothing that it prints is trusted: a model
+ * is read as any OBJ file is. The environment variable GLINT_IMPORT names the program to run; else it is glint-import
+ * in the folder of this one. Takes POSIX.
  */
 
 /** Says whether a file's name has an ending, and that is not .obj, in letters of either case. */
 bool importer_takes(const char *name);
 
 /**
- * Loads a model. Positions that are the same, and have the same colour, become one. The environment variable
- * GLINT_IMPORT names the program to run; else it is glint-import in the folder of this one.
+ * Loads a model. Positions that are the same, and have the same colour, become one.
  * @param mesh set up, whatever it held before; the caller frees it with mesh_free
  * @param materials set, whatever it held before; the caller frees it with materials_free
  * @param warnings set
@@ -413,6 +394,13 @@ bool importer_takes(const char *name);
  */
 bool importer_load(const char *name, const child_limits *limits, host_mesh *mesh, host_materials *materials,
                    host_warnings *warnings, host_problem *problem);
+
+/**
+ * Decodes a JPEG file (ITU-T T.81), baseline or progressive, of grey or of colours; needs libjpeg-dev too.
+ * @param limits of which `output` is not used: pictures of at most PICTURE_SIDE_MAX a side are taken
+ * @return false with a problem of line 0; nothing is then to be freed
+ */
+bool importer_decode(const host_bytes *file, const child_limits *limits, host_picture *picture, host_problem *problem);
 
 /* ---- Models in other formats that this program reads itself: STL, PLY, OFF, glTF and GLB (reader.h) ---- */
 
@@ -442,10 +430,31 @@ typedef struct load_options {
     bool objects;         /**< Objects stay apart. */
     double weld;          /**< Distance within which positions become one; below 0 for not at all. */
     size_t simplify;      /**< Most triangles; 0 for as many as there are. */
-    child_limits import;  /**< For what reads other formats than OBJ. */
+    child_limits import;  /**< For what reads other formats than OBJ, and pictures of JPEG. */
     texture_options texture;
-    const char *picture; /**< In place of the textures that the model names, or null. */
+    const char *picture; /**< In place of the textures that the model names, by its path as it stands; or null. */
 } load_options;
+
+/**
+ * Makes the textures of the materials in use, and takes the mesh's coordinates to them. What cannot be read is warned
+ * of. Corners of triangles without a texture lose their coordinates.
+ * @param model its path
+ * @param options of which `picture`, unless it is null, is the one that all materials have in place of their own: then
+ * what has no material gets one
+ * @param warnings of the model; those of a file of materials get its own
+ * @return false with a problem when the chosen picture cannot be drawn
+ */
+bool textures_load(const char *model, const load_options *options, host_mesh *mesh, host_materials *materials,
+                   host_warnings *warnings, host_problem *problem);
+
+/** Bytes of flash that all textures take. */
+size_t textures_size(const host_materials *materials);
+
+/** Prints a line for each texture: its size, type, bytes, and ratio of peak signal to noise in decibels. */
+void textures_print(const host_materials *materials);
+
+/** Frees what textures_load made. */
+void textures_free(host_materials *materials);
 
 /** The triangles of one object that have one material. */
 typedef struct model_part {

@@ -206,14 +206,13 @@ static bool refuse(const uint8_t *data, size_t count, host_problem *problem) {
         const char *bytes;
         size_t size;
         const char *name;
-    } others[] = {{"\xFF\xD8\xFF", 3, "JPEG"}, {"GIF8", 4, "GIF"}, {"BM", 2, "BMP"},
-                  {"RIFF", 4, "WebP"},         {"DDS ", 4, "DDS"}, {"\xABKTX", 4, "KTX"}};
+    } others[] = {{"GIF8", 4, "GIF"}, {"BM", 2, "BMP"}, {"RIFF", 4, "WebP"}, {"DDS ", 4, "DDS"}, {"\xABKTX", 4, "KTX"}};
     for (size_t i = 0; i < sizeof others / sizeof others[0]; i++) {
         if (count >= others[i].size && memcmp(data, others[i].bytes, others[i].size) == 0) {
-            return problem_set(problem, 0, "it is %s: only PNG is read, save it as that", others[i].name);
+            return problem_set(problem, 0, "it is %s, which is not read: save it as PNG", others[i].name);
         }
     }
-    return problem_set(problem, 0, "it is no PNG file");
+    return problem_set(problem, 0, "it is neither PNG nor JPEG");
 }
 
 bool png_decode(const uint8_t *data, size_t count, host_picture *picture, host_problem *problem) {

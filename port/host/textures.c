@@ -17,7 +17,7 @@
 
 typedef struct texture_loader {
     const char *model;
-    const texture_options *options;
+    const load_options *options;
     host_mesh *mesh;
     host_materials *materials;
     host_warnings *warnings; /* of the model */
@@ -87,6 +87,14 @@ static const glint_texture *find_texture(const host_materials *materials, const 
     return NULL;
 }
 
+/** Decodes a picture by what its first bytes are, whatever its name. */
+static bool decode(const texture_loader *loader, const host_bytes *file, host_picture *picture, host_problem *problem) {
+    static const uint8_t jpeg[] = {0xFF, 0xD8, 0xFF};
+    return file->count >= sizeof jpeg && memcmp(file->data, jpeg, sizeof jpeg) == 0
+               ? importer_decode(file, &loader->options->import, picture, problem)
+               : png_decode(file->data, file->count, picture, problem);
+}
+
 /** Makes a texture of a file's bytes, unless there is one. @return null with a problem */
 static const glint_texture *make_texture(const texture_loader *loader, const host_bytes *file,
                                          const mtl_texture *texture, const char *name, host_problem *problem) {
@@ -96,10 +104,10 @@ static const glint_texture *make_texture(const texture_loader *loader, const hos
     if (known != NULL) {
         return known;
     }
-    if (!png_decode(file->data, file->count, &picture, problem)) {
+    if (!decode(loader, file, &picture, problem)) {
         return NULL;
     }
-    host_texture *made = texture_make(&picture, texture->cutoff, loader->options);
+    host_texture *made = texture_make(&picture, texture->cutoff, &loader->options->texture);
     const text_token token = {name, strlen(name)};
     free(picture.pixels);
     made->name = text_copy(token);
@@ -272,8 +280,9 @@ static void join_coordinates(host_mesh *mesh) {
 
 /* ---- Public ----------------------------------------------------------------------------------------------------- */
 
-bool textures_load(const char *model, const char *chosen, const texture_options *options, host_mesh *mesh,
-                   host_materials *materials, host_warnings *warnings, host_problem *problem) {
+bool textures_load(const char *model, const load_options *options, host_mesh *mesh, host_materials *materials,
+                   host_warnings *warnings, host_problem *problem) {
+    const char *chosen = options->picture;
     const texture_loader loader = {model, options, mesh, materials, warnings};
     const glint_texture *made = chosen != NULL ? load_chosen(&loader, chosen, problem) : NULL;
     bool *has = find_coordinates(mesh, materials);

@@ -117,6 +117,11 @@ bool importer_load(const char *name, const child_limits *limits, host_mesh *mesh
     return problem_set(problem, 0, "only OBJ files are read here");
 }
 
+bool importer_decode(const host_bytes *file, const child_limits *limits, host_picture *picture, host_problem *problem) {
+    (void)file, (void)limits, (void)picture;
+    return problem_set(problem, 0, "it is JPEG, which is not read here: save it as PNG");
+}
+
 bool reader_takes(const char *name) {
     (void)name;
     return false;

@@ -73,10 +73,10 @@ static void read_picture(const uint8_t *data, size_t size) {
 /* ---- Models ------------------------------------------------------------------------------------------------------ */
 
 static void check_textures(host_mesh *mesh, host_materials *materials) {
-    static const texture_options options = {TEXTURE_AUTO, 32, false};
+    static const load_options options = {.texture = {TEXTURE_AUTO, 32, false}};
     host_warnings warnings = {.count = 0};
     host_problem problem = {0, ""};
-    require(textures_load("none/model", NULL, &options, mesh, materials, &warnings, &problem));
+    require(textures_load("none/model", &options, mesh, materials, &warnings, &problem));
     check_warnings(&warnings, 0);
     for (size_t i = 0; i < 3 * mesh->triangle_count; i++) {
         const mtl_material *material = materials_find(materials, mesh->materials[i / 3]);

@@ -141,9 +141,9 @@ BAD = [
      "it has 2147483647x2147483647 pixels: at most 4096x4096 are read"),
     ("interlaced", lambda data: data[:28] + b"\1" + data[29:], "it is interlaced, which is not read: save it without"),
     ("no palette", lambda data: data[:25] + b"\3" + data[26:], "it has no palette"),
-    ("JPEG", lambda data: b"\xff\xd8\xff\xe0\0\x10JFIF\0", "it is JPEG: only PNG is read, save it as that"),
-    ("text", lambda data: b"P3 1 1 255 0 0 0", "it is no PNG file"),
-    ("empty", lambda data: b"", "it is no PNG file"),
+    ("GIF", lambda data: b"GIF89a", "it is GIF, which is not read: save it as PNG"),
+    ("text", lambda data: b"P3 1 1 255 0 0 0", "it is neither PNG nor JPEG"),
+    ("empty", lambda data: b"", "it is neither PNG nor JPEG"),
 ]
 
 
@@ -452,9 +452,9 @@ def test_other_formats(host):
         host.equal(f"glTF: holes of {mode}", convert(host, "t.gltf").count("GLINT_TEXTURE_HAS_KEY"), holes)
     for name, text, why in [
             ("mirrored", document(uri, sampler={"wrapS": 33648}), "a texture repeats along both axes: mirrored, or along one alone, is not drawn"),
-            ("a view that is not there", document({"bufferView": 99}), ".*bufferView.*\nt.gltf:0: warning: the texture 'image 0' is not drawn: it is no PNG file"),
+            ("a view that is not there", document({"bufferView": 99}), ".*bufferView.*\nt.gltf:0: warning: the texture 'image 0' is not drawn: it is neither PNG nor JPEG"),
             ("a missing file", document({"uri": "no.png"}), "the texture 'no.png' is not drawn: cannot be read"),
-            ("no image", json.dumps({**json.loads(document(uri)), "textures": [{}]}), "a texture is not drawn: it has no image of PNG")]:
+            ("no image", json.dumps({**json.loads(document(uri)), "textures": [{}]}), "a texture is not drawn: it has no image of PNG or JPEG")]:
         host.write("t.gltf", text)
         run = host.run("render", "t.gltf", *view, "-o", "out.png")
         host.check(f"glTF: {name}", run.returncode == 0 and re.fullmatch(f"t.gltf:0: warning: {why}\n", run.stderr), run.stderr)

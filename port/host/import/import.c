@@ -2,8 +2,12 @@
 /**
  * @file import.c
  * glint-import MODEL: what assimp reads, as MTL and OBJ text on stdout: a line `# warning` for each kind of thing that
- * is left out, the materials, a line `# mesh`, the mesh, and `# end`. One line on stderr and status 1 for what it
- * cannot read.
+ * is left out, the materials, a line `# mesh`, the mesh, and `# end`.
+ *
+ * glint-import --jpeg: a JPEG file on stdin, as pixels on stdout: width and height of 2 bytes each, the higher byte
+ * first, and red, green and blue of each pixel, rows from top to bottom.
+ *
+ * One line on stderr and status 1 for what it cannot read.
  *
  * `glint` runs it in a process of its own, under limits, and trusts nothing that it prints.
  */
@@ -255,7 +259,11 @@ static void print_scene(const struct aiScene *scene) {
 int main(int count, char **arguments) {
     struct aiFileIO files;
     if (count != 2) {
-        return fail("usage: glint-import MODEL");
+        return fail("usage: glint-import MODEL, or glint-import --jpeg");
+    }
+    if (strcmp(arguments[1], "--jpeg") == 0) {
+        const char *why = jpeg_print();
+        return why == NULL ? 0 : fail(why);
     }
     if (!folder_open(&files, arguments[1])) {
         return fail("its folder cannot be opened");

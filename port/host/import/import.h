@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file import.h
- * Parts of glint-import: the files that assimp may open, and materials as MTL text.
+ * Parts of glint-import: the files that assimp may open, materials as MTL text, and pictures of JPEG.
  */
 #ifndef GLINT_IMPORT_IMPORT_H
 #define GLINT_IMPORT_IMPORT_H
@@ -31,5 +31,11 @@ int paint_is_none(const struct aiScene *scene, unsigned material);
 
 /** Prints the `usemtl` of a material, which must not be none. */
 void paint_use(const struct aiScene *scene, unsigned material);
+
+/**
+ * Prints the pixels of the JPEG file on stdin. What libjpeg cannot read ends the program with status 1.
+ * @return null, or what else is wrong
+ */
+const char *jpeg_print(void);
 
 #endif
