@@ -45,17 +45,16 @@ $(BARE_OBJECTS): $(BUILD)/host/bare-%.o: port/host/%.c Makefile
 	$(Q)$(CC) $(HOST_CFLAGS) -DHOST_WITHOUT_SCENES -MMD -MP -c $< -o $@
 -include $(wildcard $(BARE_OBJECTS:.o=.d))
 
-# The simplifier and the decoder of JPEG are compiled again where their library has come or gone.
-SIMPLIFIER_STAMP := $(BUILD)/host/simplifier-$(or $(HAS_SIMPLIFIER),no)
-JPEG_STAMP       := $(BUILD)/host/jpeg-$(or $(HAS_JPEG),no)
-$(SIMPLIFIER_STAMP) $(JPEG_STAMP):
+# The simplifier and the decoder of JPEG are compiled again where a library has come or gone. The file that says which are
+# there is looked at each time: that it is missing would not be enough, since all files are secondary.
+LIBRARIES := simplifier: $(HAS_SIMPLIFIER), JPEG: $(HAS_JPEG)
+.PHONY: FORCE
+$(BUILD)/host/libraries: FORCE
 	@mkdir -p $(@D)
-	@rm -f $(@:-yes=-no) $(@:-no=-yes)
-	@touch $@
+	@echo '$(LIBRARIES)' | cmp -s - $@ || echo '$(LIBRARIES)' > $@
 $(BUILD)/host/port/host/simplify.o: TEST_CFLAGS += $(if $(HAS_SIMPLIFIER),-DHOST_WITH_MESHOPTIMIZER)
-$(BUILD)/host/port/host/simplify.o: $(SIMPLIFIER_STAMP)
 $(BUILD)/host/port/host/import/jpeg.o: TEST_CFLAGS += $(if $(HAS_JPEG),-DHOST_WITH_JPEG)
-$(BUILD)/host/port/host/import/jpeg.o: $(JPEG_STAMP)
+$(BUILD)/host/port/host/simplify.o $(BUILD)/host/port/host/import/jpeg.o: $(BUILD)/host/libraries
 
 demo: $(HOST_PROGRAM) $(IMPORT_PROGRAM) ## draw a sheet of models and name its file
 	@$(HOST_PROGRAM) demo -o $(BUILD)/demo.png
