@@ -407,6 +407,14 @@ COLLADA = """<?xml version="1.0"?>
 <scene><instance_visual_scene url="#w"/></scene></COLLADA>"""
 
 
+def test_spot(host):
+    """The model of the examples that has a picture shows it: a white face, brown nostrils, dark patches."""
+    spot = [os.path.join(MODELS, "spot" + ending) for ending in (".obj", ".png")]
+    image = host.render(spot[0], "--texture", spot[1], "--eye=-1.5,1,-2", "--size", "320x240", "--model", "unlit")
+    for name, place, wanted in (("face", (125, 80), (255, 238, 230)), ("nostril", (120, 108), (157, 90, 53)), ("patch", (205, 125), (64, 64, 64))):
+        host.check(name, near([[image.at(*place)]], [[wanted]], 4), str(image.at(*place)))
+
+
 def test_other_formats(host):
     """The same picture on the same square, whichever format it comes in."""
     data = picture(letters)
