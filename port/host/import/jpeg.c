@@ -12,7 +12,7 @@
 
 #include <jerror.h>
 
-/** Ends the program with libjpeg's message. Its limit on sides is one of memory: ours stands in its place. */
+/** Ends the program with libjpeg's message, or with our limit on sides, which libjpeg's own of 65500 is above. */
 static void give_up(j_common_ptr common) {
     const struct jpeg_decompress_struct *reader = (j_decompress_ptr)common;
     char text[JMSG_LENGTH_MAX];
