@@ -6,6 +6,14 @@
 #include "suns.h"
 #include "wear.h"
 
+/* Returns the next pixel of a list. Compilers that see where it comes from keep two pointers, and copy one at each
+ * pixel. */
+static GLINT_INLINE glint_spread *next_pixel(glint_spread *p) {
+    p++;
+    GLINT_OPAQUE(p);
+    return p;
+}
+
 /* Lists the pixels of a span that pass the depth test; `first` is the word that their sums begin with. @return the end
  * of the list */
 static glint_spread *list_visible(const glint_row_walk *walk, int32_t row, int32_t left, int32_t right, uint32_t first,
@@ -20,7 +28,8 @@ static glint_spread *list_visible(const glint_row_walk *walk, int32_t row, int32
     for (; depth != end; depth++) {
         if (z >> 15 > *depth) {
             *depth = (uint16_t)(z >> 15);
-            *to++ = (glint_spread){offset, first, square.value, glint_over_normal(square.value)};
+            *to = (glint_spread){offset, first, square.value, glint_over_normal(square.value)};
+            to = next_pixel(to);
         }
         offset++;
         z += dx;
@@ -77,8 +86,8 @@ static inline uint32_t quadratic_at(const row_quadratic *q, uint32_t x) {
 enum { DIFFUSE = 1, GLOSS = 2, BOTH = 3 };
 
 /*
- * Adds a part of a light to the pixels of a row from p to before the end. `begin` is the offset of the row's pixel at
- * column walk->slopes.column. The light is plain: see glint_lit_sun.
+ * Adds a part of a light to the pixels of a row from p to before the end, at least one. `begin` is the offset of the
+ * row's pixel at column walk->slopes.column. The light is plain: see glint_lit_sun.
  */
 static GLINT_INLINE void light_list(const glint_row_walk *walk, const glint_lit_sun *lit, int32_t row, uint32_t begin,
                                     glint_spread *p, const glint_spread *end, int part, int is_mirror) {
@@ -91,7 +100,7 @@ static GLINT_INLINE void light_list(const glint_row_walk *walk, const glint_lit_
         half = quadratic_of_row(&lit->half, y);
     if (is_mirror)
         light_view = quadratic_of_row(&lit->light_view, y);
-    for (; p != end; p++) {
+    do {
         const uint32_t x = p->offset - begin, light = light_of_row + x * light_x, over = p->over;
         if ((int32_t)light <= 0)
             continue;
@@ -111,7 +120,7 @@ static GLINT_INLINE void light_list(const glint_row_walk *walk, const glint_lit_
                 colour = (part & DIFFUSE ? glint_clamp_word(colour) : colour) + gloss[index];
         }
         p->colour = glint_clamp_word(colour);
-    }
+    } while ((p = next_pixel(p)) != end);
 }
 
 #define DEFINE_LIGHT_LIST(name, part, is_mirror)                                                                 \

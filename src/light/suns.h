@@ -240,7 +240,7 @@ static inline uint32_t glint_times_colour(uint32_t word, int32_t red, int32_t gr
 /** Clamps each channel of a sum of two words at 1, and clears the guard bits. */
 static inline uint32_t glint_clamp_word(uint32_t word) {
     const uint32_t over = word & GLINT_SPREAD_GUARD;
-    return over ? (word | (over - (over >> 9))) & ~GLINT_SPREAD_GUARD : word;
+    return over ? (word | (over - (over >> 9))) - over : word;
 }
 
 /** Returns 2^14 / sqrt(x 2^-32), rounded, x from 2^28 up: of the middle of the 2^22 values that share an entry. */
