@@ -178,14 +178,18 @@ extern const glint_texture_type glint_texture_palette16;  /**< 4 bits a texel, t
 #define GLINT_TEXTURE_HAS_KEY 1u
 
 /** A texture is a picture that surfaces wear, in flash or RAM. The caller owns it. It is read while a frame is drawn
- * and never written. */
+ * and never written. Of its levels (mipmaps) each triangle shows one: the largest that has no more texels than pixels
+ * in the triangle's area, or else the last. Triangles that cross the near plane, or reach far beyond the screen, show
+ * the texture itself. */
 typedef struct glint_texture {
-    const glint_texture_type *type; /**< How texels are stored. */
-    const void *texels;             /**< Row after row, from the top one; of RGB565 aligned to 2. */
-    const uint16_t *palette;        /**< 256 or 16 colours, RGB565; null for types without a palette. */
-    uint16_t width, height;         /**< Powers of two, 1 to 1024. */
-    uint16_t flags;                 /**< 0 or GLINT_TEXTURE_HAS_KEY. */
-    uint16_t key;                   /**< The texel that is a hole, as it is stored. */
+    const glint_texture_type *type;      /**< How texels are stored. */
+    const void *texels;                  /**< Row after row, from the top one; of RGB565 aligned to 2. */
+    const uint16_t *palette;             /**< 256 or 16 colours, RGB565; null for types without a palette. */
+    uint16_t width, height;              /**< Powers of two, 1 to 1024. */
+    uint16_t flags;                      /**< 0 or GLINT_TEXTURE_HAS_KEY. */
+    uint16_t key;                        /**< The texel that is a hole, as it is stored. */
+    const struct glint_texture *smaller; /**< The next level, or null: of the same type and flags, and of half the width
+                                              and height, at least 1. A texture of one texel has none. */
 } glint_texture;
 
 /* ---- Materials --------------------------------------------------------------------------------------------------- */
@@ -650,7 +654,8 @@ typedef enum glint_status {
     GLINT_ERROR_STRIDE = -29,   /**< A layout's stride is less than one of its type takes, or its stride or its data are
                                      not aligned as that type is. */
     GLINT_ERROR_TEXTURE = -30, /**< A texture's width or height is not a power of two from 1 to 1024, its key is none of
-                                    its type, or its object's mesh has no texture coordinates, or an extent below 0. */
+                                    its type, a smaller level is not half as large or of another type or flags, or its
+                                  object's mesh has no texture coordinates, or an extent below 0. */
     GLINT_ERROR_BLEND = -31,   /**< A material's blend is none of those above, or its opacity is not from 0 to 1. */
     GLINT_ERROR_LAYERS = -32,  /**< A material blends, or fog fades to a painted background, and the configuration has
                                     no layers. */

@@ -532,6 +532,24 @@ static GLINT_NOINLINE void begin_quotients(const glint_row_walk *walk, const cor
     }
 }
 
+/* Chooses the level of a triangle that is not clipped. Areas are in 2^-8, of parallelograms: twice those of triangles.
+ */
+static GLINT_NOINLINE void choose_level(const glint_row_walk *walk, const corner_coordinates *c,
+                                        glint_texture_map *map) {
+    const glint_vertex *const *v = walk->triangle.corners;
+    const int32_t x1 = v[1]->x - v[0]->x, y1 = v[1]->y - v[0]->y, x2 = v[2]->x - v[0]->x, y2 = v[2]->y - v[0]->y;
+    const uint32_t pixels = glint_magnitude_bits(x1 * y2 - x2 * y1);
+    const glint_texture *level = map->texture;
+    int32_t to_u[2], to_v[2];
+    map->beyond[0] = map->beyond[1] = 0;
+    const uint32_t down = reduce_differences(map, c, 0, to_u) + reduce_differences(map, c, 1, to_v); /* up to 36 */
+    const uint64_t repeats = glint_magnitude64(glint_product(to_u[0], to_v[1]) - glint_product(to_u[1], to_v[0]));
+    while (level->smaller &&
+           repeats >> (25 + glint_leading_zeros((uint32_t)level->width * level->height) - down) > pixels)
+        level = level->smaller;
+    set_texture_size(map, level);
+}
+
 /* Finds the coordinates of a triangle's corners. This is out of line: what it uses of the stack is free again then. */
 static GLINT_NOINLINE void begin_coordinates(const glint_row_walk *walk, glint_texture_map *map, const uint8_t order[3],
                                              int is_clipped, corner_coordinates *c) {
@@ -543,6 +561,8 @@ static GLINT_NOINLINE void begin_coordinates(const glint_row_walk *walk, glint_t
     for (int i = 0; i < 3; i++)
         number[i] = numbers[is_turned ? (3 - order[i]) % 3 : order[i]];
     find_coordinates_of(object->mesh, number, c);
+    if (map->texture->smaller && !is_clipped)
+        choose_level(walk, c, map);
     begin_edges(map, object->material, object->mesh, number, c);
 }
 

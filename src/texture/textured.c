@@ -11,16 +11,28 @@ static int is_texture_size(uint32_t size) {
     return size >= 1 && size <= 1024 && (size & (size - 1)) == 0;
 }
 
-static glint_status check_worn(const glint_material *material, const glint_mesh *mesh) {
-    const glint_texture *texture = material->texture;
-    if (!texture->texels || (texture->type->has_palette && !texture->palette))
-        return GLINT_ERROR_NULL;
-    if (texture->flags > GLINT_TEXTURE_HAS_KEY)
-        return GLINT_ERROR_FLAGS;
-    if (!is_texture_size(texture->width) || !is_texture_size(texture->height) || !mesh->texture_coordinates ||
-        (mesh->texture_extent[0] | mesh->texture_extent[1]) < 0 || texture->key >> texture->type->bits)
-        return GLINT_ERROR_TEXTURE;
+/* Checks the levels of a texture. As each is half as large, there are at most eleven. */
+static glint_status check_levels(const glint_texture *level) {
+    const glint_texture_type *type = level->type;
+    for (const glint_texture *larger = 0; level; larger = level, level = level->smaller) {
+        if (!level->texels || (type->has_palette && !level->palette))
+            return GLINT_ERROR_NULL;
+        if (level->flags > GLINT_TEXTURE_HAS_KEY)
+            return GLINT_ERROR_FLAGS;
+        if (!is_texture_size(level->width) || !is_texture_size(level->height) || level->key >> type->bits)
+            return GLINT_ERROR_TEXTURE;
+        if (larger && (level->type != type || level->flags != larger->flags || larger->width * larger->height == 1 ||
+                       level->width != (larger->width + 1) / 2 || level->height != (larger->height + 1) / 2))
+            return GLINT_ERROR_TEXTURE;
+    }
     return GLINT_OK;
+}
+
+static glint_status check_worn(const glint_material *material, const glint_mesh *mesh) {
+    const glint_status status = check_levels(material->texture);
+    if (status == GLINT_OK && (!mesh->texture_coordinates || (mesh->texture_extent[0] | mesh->texture_extent[1]) < 0))
+        return GLINT_ERROR_TEXTURE;
+    return status;
 }
 
 /* ---- Samples ---- */

@@ -70,11 +70,13 @@ static void fill_colours(void) {
 #define TRIANGLES_MAX 576
 
 /* A scene of one object that wears a texture, and all it points to; not to be moved once made. */
+#define LEVELS 10
+
 typedef struct worn {
     int16_t positions[VERTICES_MAX][3], normals[VERTICES_MAX][3], coordinates[VERTICES_MAX][2];
     uint16_t triangles[TRIANGLES_MAX][3];
     glint_mesh mesh;
-    glint_texture texture;
+    glint_texture texture, levels[LEVELS];
     glint_material material;
     glint_light light;
     glint_object object;
@@ -214,7 +216,7 @@ static const struct {
 
 /* What a picture shows beside the exact texels, in pixels whose texels are settled (sampling.h). */
 typedef struct likeness {
-    long pixels, equal;
+    long pixels, equal, open; /* judged, equal, and those whose level may be another */
     double squares;
 } likeness;
 
@@ -229,6 +231,7 @@ static void compare(const worn *w, likeness *sum) {
     CHECK_EQUAL(picture_render(&image, &w->scene, NULL, NULL), GLINT_OK);
     for (int i = 0; i < WIDTH * HEIGHT; i++) {
         int is_equal = 1;
+        sum->open += pixels[i].covered && pixels[i].is_level_open;
         if (!pixels[i].covered || pixels[i].uncertain || pixels[i].unsettled)
             continue;
         for (int c = 0; c < 3; c++) {
@@ -545,6 +548,18 @@ static void clamping_holds_to_the_extremes(void) {
     }
 }
 
+/* Gives a texture all levels, which show the beginning of its own texels. */
+static void share_levels(worn *w) {
+    glint_texture *larger = &w->texture;
+    for (int i = 0; larger->width * larger->height > 1; i++) {
+        w->levels[i] = *larger;
+        w->levels[i].width = (uint16_t)((larger->width + 1) / 2);
+        w->levels[i].height = (uint16_t)((larger->height + 1) / 2);
+        larger->smaller = &w->levels[i];
+        larger = &w->levels[i];
+    }
+}
+
 /* ---- Holes ------------------------------------------------------------------------------------------------------- */
 
 /* What glint_pick finds is what is seen, through holes too. */
@@ -599,6 +614,10 @@ static void holes_show_what_is_behind(void) {
         fence.material.model = i / 4 ? &glint_model_blinn_phong : &glint_model_unlit;
         fence.object.evaluation = evaluations[i / 4 % 3];
         fence.mesh.flags = fence.object.evaluation == &glint_per_vertex ? 0 : GLINT_MESH_DOUBLE_SIDED;
+        if (i % 2) {
+            share_levels(&fence);
+            fence.mesh.texture_extent[0] = fence.mesh.texture_extent[1] = (int32_t)i * GLINT_ONE;
+        }
         const glint_pose smaller = glint_pose_scale(GLINT_ONE / 2, GLINT_ONE / 2, GLINT_ONE / 2);
         behind.object.pose = glint_pose_then(&behind.object.pose, &smaller);
         const glint_object order[2][2] = {{fence.object, behind.object}, {behind.object, fence.object}};
@@ -628,6 +647,170 @@ static void nothing_but_holes_is_nothing(void) {
         CHECK(picture_draws_same(&image, &w.scene, NULL, NULL));
         picture_close(&image);
     }
+}
+
+/* ---- Levels -------------------------------------------------------------------------------------------------- */
+
+/* Texels of levels, from the second on: less than a third more than those of the first. */
+static uint16_t level_texels[LARGEST * LARGEST / 2];
+
+/* Gives a texture of RGB565 levels of texels of their own: means of those of the larger one, or any colours. */
+static void make_levels(worn *w, int are_means) {
+    uint16_t *to = level_texels;
+    share_levels(w);
+    for (glint_texture *larger = &w->texture, *level = w->levels; larger->smaller; larger = level++) {
+        const uint16_t *const from = larger->texels;
+        level->texels = to;
+        for (int at = 0; at < level->width * level->height; at++) {
+            const int x = at % level->width * (larger->width / level->width),
+                      y = at / level->width * (larger->height / level->height);
+            unsigned sums[3] = {2, 2, 2};
+            for (int j = 0; j < 4; j++) {
+                const int column = x + j % 2 * (larger->width > 1), row = y + j / 2 * (larger->height > 1);
+                const uint16_t texel = from[row * larger->width + column];
+                sums[0] += texel >> 11;
+                sums[1] += texel >> 5 & 63;
+                sums[2] += texel & 31;
+            }
+            to[at] = are_means ? (uint16_t)(sums[0] / 4 << 11 | sums[1] / 4 << 5 | sums[2] / 4)
+                               : (uint16_t)hash((uint32_t)(at + level->width * 4096));
+        }
+        to += level->width * level->height;
+    }
+}
+
+/* Each triangle shows one level, which the reference chooses by itself; tiles, arenas and regions change nothing. */
+static void levels_are_chosen_by_area(void) {
+    static const glint_evaluation *const evaluations[3] = {&glint_per_fragment, &glint_per_vertex, &glint_per_facet};
+    static worn w;
+    likeness sum = {0};
+    for (unsigned i = 0; i < 6 * TEST_COUNT(scenes); i++) {
+        contract_result result;
+        scenes[i % TEST_COUNT(scenes)].make(&w, (int)i % VIEWS);
+        w.texture.texels = colours;
+        w.texture.width = (uint16_t)(4u << i % 5);
+        w.texture.height = (uint16_t)(64u >> i % 7);
+        w.material.flags = i / TEST_COUNT(scenes) % 4 * GLINT_MATERIAL_CLAMP;
+        w.material.model = i % 3 ? &glint_model_unlit : &glint_model_phong;
+        w.object.evaluation = evaluations[i / 2 % 3];
+        make_levels(&w, 0);
+        check_same_bits(&w, i % 2 ? &glint_format_rgb565 : &glint_format_rgb888);
+        contract_judge(&w.scene, WIDTH, HEIGHT, &glint_format_rgb565, &result);
+        CHECK(contract_holds(&result));
+        compare(&w, &sum);
+    }
+    char line[120];
+    snprintf(line, sizeof line, "  levels: %ld pixels, %ld of triangles whose level may be another\n", sum.pixels,
+             sum.open);
+    test_write(line);
+    CHECK(sum.pixels > 6 * WIDTH * HEIGHT);
+    CHECK(sum.open * 500 < sum.pixels);
+}
+
+/* Bricks with mortar between. */
+static void lay_bricks(uint16_t *to) {
+    for (uint32_t i = 0; i < SIZE * SIZE; i++) {
+        const uint32_t row = i / SIZE, column = (i + row / 16 % 2 * 16) % SIZE;
+        const int is_mortar = row % 16 < 3 || column % 32 < 3;
+        const uint32_t level = hash(i) & 7;
+        to[i] =
+            (uint16_t)(is_mortar ? 25 << 11 | 50 << 5 | 24 : (18 + level) << 11 | (16 + level) << 5 | (6 + level / 2));
+    }
+}
+
+/* Returns the ratio of peak signal to noise against 64 samples a pixel in double precision, in decibels. */
+static double measure_noise(const worn *w, const reference_pixel *samples) {
+    enum { SIDE = 8, ACROSS = WIDTH / 2, DOWN = HEIGHT / 2 };
+    picture image = picture_open(ACROSS, DOWN, &glint_format_rgb888);
+    double squares = 0;
+    CHECK_EQUAL(picture_render(&image, &w->scene, NULL, NULL), GLINT_OK);
+    for (int i = 0; i < ACROSS * DOWN * 3; i++) {
+        const int x = i / 3 % ACROSS, y = i / 3 / ACROSS;
+        double sum = 0;
+        for (int j = 0; j < SIDE * SIDE; j++)
+            sum += samples[(SIDE * y + j / SIDE) * SIDE * ACROSS + SIDE * x + j % SIDE].colour[i % 3];
+        squares += pow(picture_level(&image, x, y, i % 3) / 255.0 - sum / (SIDE * SIDE), 2);
+    }
+    picture_close(&image);
+    return -10 * log10(squares / (ACROSS * DOWN * 3));
+}
+
+/* On a paved floor levels gain 3 dB, and 5 dB where texels are mixed; on a floor of two triangles they change nothing.
+ */
+static void levels_lessen_noise(void) {
+    static reference_pixel samples[4 * WIDTH * 4 * HEIGHT];
+    static worn w;
+    const reference_image exact = {4 * WIDTH, 4 * HEIGHT, samples};
+    double noise[2][2];
+    char line[160];
+    make_paving(&w, 1);
+    lay_bricks(colours);
+    w.texture.texels = colours;
+    reference_render(&exact, &w.scene, NULL);
+    for (int i = 0; i < 4; i++) {
+        w.material.flags = i / 2 ? GLINT_MATERIAL_BILINEAR : 0;
+        w.texture.smaller = NULL;
+        if (i % 2)
+            make_levels(&w, 1);
+        noise[i / 2][i % 2] = measure_noise(&w, samples);
+    }
+    snprintf(line, sizeof line, "  paving: nearest %.2f dB, with levels %.2f dB; mixed %.2f dB, with levels %.2f dB\n",
+             noise[0][0], noise[0][1], noise[1][0], noise[1][1]);
+    test_write(line);
+    CHECK(noise[0][1] > noise[0][0] + 3);
+    CHECK(noise[1][1] > noise[1][0] + 5);
+    make_floor(&w, 1);
+    picture image = picture_open(WIDTH, HEIGHT, &glint_format_rgb565);
+    CHECK_EQUAL(picture_render(&image, &w.scene, NULL, NULL), GLINT_OK);
+    make_levels(&w, 1);
+    CHECK(picture_draws_same(&image, &w.scene, NULL, NULL));
+    picture_close(&image);
+    fill_colours();
+}
+
+/* A square of two triangles that faces the viewer, of exactly as many texels as pixels, shows its texture; of a
+ * sixteenth of a pixel less it shows the next level, and far away the last one, be it of one texel or of more. */
+static void squares_show_the_level_of_their_size(void) {
+    static worn w;
+    static const int16_t sides[4][2] = {{-1, 1}, {1, 1}, {1, -1}, {-1, -1}};
+    for (int last = 0; last <= 6; last++)
+        for (int size = 1; size <= SIZE; size++) {
+            picture image = picture_open(2 * SIZE, 2 * SIZE, &glint_format_rgb565);
+            int level = 0;
+            begin(&w);
+            w.mesh.vertex_count = 4;
+            for (int i = 0; i < 4; i++) {
+                set_triple(w.positions[i], sides[i][0], -sides[i][1], 0);
+                set_triple(w.normals[i], 0, 0, 1);
+                w.coordinates[i][0] = (int16_t)(sides[i][0] < 0 ? 0 : 32767);
+                w.coordinates[i][1] = (int16_t)(sides[i][1] < 0 ? 0 : 32767);
+            }
+            add_triangle(&w, 0, 1, 2);
+            add_triangle(&w, 0, 2, 3);
+            make_levels(&w, 0);
+            for (int i = 0; i <= 6; i++) { /* each level is of one colour */
+                glint_texture *const of = i ? &w.levels[i - 1] : &w.texture;
+                for (int at = 0; at < of->width * of->height; at++)
+                    (i ? (uint16_t *)(uintptr_t)of->texels : colours)[at] = (uint16_t)(i + 1);
+                if (!i)
+                    of->texels = colours;
+                if (i == last)
+                    of->smaller = NULL;
+            }
+            w.scene.camera.projection = &glint_orthographic;
+            w.scene.camera.view_height = 2 * SIZE * GLINT_ONE / 16;
+            glint_camera_orbit(&w.scene.camera, (glint_vector){0, 0, 0}, 0, 0, 8 * GLINT_ONE);
+            const glint_q16 half = size * GLINT_ONE / 32;
+            w.object.pose = glint_pose_scale(half, half, half);
+            CHECK_EQUAL(picture_render(&image, &w.scene, NULL, NULL), GLINT_OK);
+            while (level < last && SIZE >> level > size)
+                level++;
+            uint16_t shown;
+            memcpy(&shown, image.bytes + 2 * (2 * SIZE + 1) * (SIZE - 1), sizeof shown);
+            CHECK_EQUAL(shown, level + 1);
+            picture_close(&image);
+        }
+    fill_colours();
 }
 
 /* ---- Errors -------------------------------------------------------------------------------------------------- */
@@ -681,6 +864,20 @@ static void what_is_no_texture_is_refused(void) {
     CHANGED(GLINT_OK, (w.texture.type = &glint_texture_palette16, w.texture.palette = stone,
                        w.texture.flags = GLINT_TEXTURE_HAS_KEY, w.texture.key = 15));
     CHANGED(GLINT_OK, (w.texture.flags = GLINT_TEXTURE_HAS_KEY, w.texture.key = 0xffff));
+    CHANGED(GLINT_OK, make_levels(&w, 1));
+    CHANGED(GLINT_OK, (make_levels(&w, 1), w.levels[2].smaller = NULL));
+    CHANGED(GLINT_ERROR_TEXTURE, (make_levels(&w, 1), w.levels[2].smaller = &w.levels[2]));
+    CHANGED(GLINT_ERROR_TEXTURE, (make_levels(&w, 1), w.levels[5].smaller = &w.levels[5]));
+    CHANGED(GLINT_ERROR_TEXTURE, (make_levels(&w, 1), w.levels[5].smaller = &w.texture));
+    CHANGED(GLINT_ERROR_TEXTURE, (make_levels(&w, 1), w.texture.smaller = &w.levels[1]));
+    CHANGED(GLINT_ERROR_TEXTURE, (make_levels(&w, 1), w.levels[3].width = 8));
+    CHANGED(GLINT_ERROR_TEXTURE, (make_levels(&w, 1), w.levels[3].height = 2));
+    CHANGED(GLINT_ERROR_TEXTURE, (make_levels(&w, 1), w.levels[5].width = 0));
+    CHANGED(GLINT_ERROR_TEXTURE, (make_levels(&w, 1), w.levels[0].type = &glint_texture_grey8));
+    CHANGED(GLINT_ERROR_TEXTURE, (make_levels(&w, 1), w.levels[0].type = NULL));
+    CHANGED(GLINT_ERROR_TEXTURE, (make_levels(&w, 1), w.levels[4].flags = GLINT_TEXTURE_HAS_KEY));
+    CHANGED(GLINT_ERROR_FLAGS, (make_levels(&w, 1), w.levels[4].flags = 2));
+    CHANGED(GLINT_ERROR_NULL, (make_levels(&w, 1), w.levels[4].texels = NULL));
     CHANGED(GLINT_OK, (w.material.texture = NULL, w.mesh.texture_coordinates = NULL, w.mesh.texture_extent[0] = -1));
     CHECK(strlen(glint_strerror(GLINT_ERROR_TEXTURE)) > 20);
 }
@@ -701,6 +898,9 @@ int test_main(test_writer write) {
         TEST_CASE(clamping_holds_to_the_extremes),
         TEST_CASE(holes_show_what_is_behind),
         TEST_CASE(nothing_but_holes_is_nothing),
+        TEST_CASE(levels_are_chosen_by_area),
+        TEST_CASE(levels_lessen_noise),
+        TEST_CASE(squares_show_the_level_of_their_size),
     };
     fill_colours();
     return test_run(write, cases, TEST_COUNT(cases));

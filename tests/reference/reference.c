@@ -35,9 +35,11 @@ typedef struct drawing {
     const glint_object *object;
     double focal; /* pixels per unit of x/w and y/w */
     reference_lights lights;
-    reference_surface facet; /* what of the present triangle is lit, where it is lit once */
-    int rounded_here;        /* the present triangle's screen positions are not given */
-    int back;                /* it is seen from the back */
+    reference_surface facet;    /* what of the present triangle is lit, where it is lit once */
+    int rounded_here;           /* the present triangle's screen positions are not given */
+    int back;                   /* it is seen from the back */
+    const glint_texture *level; /* of its texture, or null */
+    int is_level_open;          /* another level may be seen: texels are not settled */
 } drawing;
 
 /* The cofactors of a pose's linear part: its transposed inverse times the determinant. @return the determinant. */
@@ -292,7 +294,11 @@ static void draw_fragment(const drawing *draw, const corner *const c[3], const i
     attributes at = mix(c, share, draw->back);
     if (material->texture) {
         find_window(draw, c, area, x, y, at.texture, window);
-        reference_sample(material, at.texture, (const double(*)[2])window, &texels);
+        reference_sample(draw->level, material->flags, at.texture, (const double(*)[2])window, &texels);
+        if (draw->is_level_open) {
+            texels.count = 0;
+            texels.may_differ = draw->level->flags != 0;
+        }
         if (texels.may_differ)
             pixel->torn = fmax(pixel->torn, depth);
         if (material->texture->flags)
@@ -308,6 +314,7 @@ static void draw_fragment(const drawing *draw, const corner *const c[3], const i
     }
     place_on_ray(draw, x, y, depth, at.place);
     pixel->choice_count = pixel->unsettled = 0;
+    pixel->is_level_open = draw->is_level_open;
     const reference_light plain = light_fragment(draw, &at, white),
                           light = material->texture ? light_texels(draw, &at, &texels, pixel) : plain;
     pixel->second = pixel->nearest;
@@ -528,6 +535,19 @@ static corner make_corner(const drawing *draw, uint32_t object, uint32_t index) 
     return result;
 }
 
+/* Chooses the level of a triangle whose corners are known. Others are clipped, and show the texture itself. */
+static void choose_level(drawing *draw, const corner corners[3], int known) {
+    double coordinates[3][2];
+    draw->level = draw->object->material->texture;
+    draw->is_level_open = 0;
+    if (!draw->level || !known)
+        return;
+    for (int i = 0; i < 3; i++)
+        memcpy(coordinates[i], corners[i].at.texture, sizeof coordinates[i]);
+    const double pixels = fabs((double)edge(&corners[0], &corners[1], corners[2].x, corners[2].y)) / 256;
+    draw->level = reference_choose_level(draw->level, (const double(*)[2])coordinates, pixels, &draw->is_level_open);
+}
+
 /* Of vertices, or where there is none: without memory for them each is found whenever a triangle has it. */
 static void draw_object_triangle(drawing *draw, uint32_t object, const corner *vertices, uint32_t triangle,
                                  const reference_position *positions) {
@@ -551,6 +571,7 @@ static void draw_object_triangle(drawing *draw, uint32_t object, const corner *v
         }
     }
     draw->rounded_here = !known;
+    choose_level(draw, corners, known);
     if (source->evaluation == &glint_per_facet)
         draw->facet = find_facet(draw, corners, known);
     int count = clip(draw, corners, kept);

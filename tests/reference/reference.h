@@ -48,12 +48,13 @@ typedef struct reference_pixel {
     int rounded[2];   /**< Whether a corner of the triangle that is seen was rounded here, and of that behind it. */
     int uncertain; /**< Within 1.5/16 of a pixel of an edge that was rounded here, which another may round apart; or a
                       surface before what is seen, or this one, may have a hole here (sampling.h). */
-    int unsettled; /**< Coordinates of the texture are not settled (sampling.h). */
+    int unsettled; /**< Coordinates of the texture are not settled (sampling.h), or its level is not. */
+    int is_level_open; /**< Its level is not. */
+    int choice_count;  /**< Of the next. */
     /** Where a texture is seen, its colours within reach: those from `least` to `most`, channel by channel. */
     struct {
         double least[3], most[3];
     } choices[REFERENCE_TEXELS_MAX];
-    int choice_count;
 } reference_pixel;
 
 /** An image; `pixels` belongs to the caller, width times height, row by row. */

@@ -73,6 +73,32 @@ static void mix_texels(const worn *by, double x, double y, double colour[3]) {
     }
 }
 
+/* ---- Levels ---- */
+
+/* Differences of coordinates that are rounded to 30 bits take a triangle's area off by up to this part of the largest
+ * product, and areas are whole numbers of this unit. */
+#define ROUNDED_PART (1.0 / (1 << 27))
+#define AREA_UNIT (1.0 / 256)
+
+const glint_texture *reference_choose_level(const glint_texture *texture, const double coordinates[3][2], double pixels,
+                                            int *is_open) {
+    double to[2][2], most[2];
+    for (int axis = 0; axis < 2; axis++) {
+        for (int i = 0; i < 2; i++)
+            to[i][axis] = coordinates[i + 1][axis] - coordinates[0][axis];
+        most[axis] = fmax(fabs(to[0][axis]), fabs(to[1][axis]));
+    }
+    const double repeats = fabs(to[0][0] * to[1][1] - to[0][1] * to[1][0]);
+    *is_open = 0;
+    for (; texture->smaller; texture = texture->smaller) {
+        const double size = (double)texture->width * texture->height;
+        *is_open |= fabs(repeats * size - pixels) <= ROUNDED_PART * most[0] * most[1] * size + AREA_UNIT;
+        if (repeats * size <= pixels)
+            break;
+    }
+    return texture;
+}
+
 /* ---- Samples ---- */
 
 /* From least to most along an axis: the ends, and a whole number between, if there is one. @return how many */
@@ -101,22 +127,22 @@ static void mix_within(const worn *by, double window[2][2], reference_texels *to
 }
 
 /* Lists the texels of a window that are no holes. */
-static void list_within(const worn *by, const double first[2], const double last[2], reference_texels *to) {
-    for (double row = first[1]; row <= last[1]; row++)
-        for (double column = first[0]; column <= last[0]; column++)
-            if (!is_hole(by, column, row)) {
-                colour_of(by->texture, texel_at(by, column, row), to->least[to->count]);
+static void list_within(const worn *by, const double first[2], const int counts[2], reference_texels *to) {
+    for (int y = 0; y < counts[1]; y++)
+        for (int x = 0; x < counts[0]; x++)
+            if (!is_hole(by, first[0] + x, first[1] + y)) {
+                colour_of(by->texture, texel_at(by, first[0] + x, first[1] + y), to->least[to->count]);
                 memcpy(to->most[to->count], to->least[to->count], sizeof to->most[0]);
                 to->count++;
             }
 }
 
-void reference_sample(const glint_material *material, const double at[2], const double window[2][2],
+void reference_sample(const glint_texture *texture, uint32_t flags, const double at[2], const double window[2][2],
                       reference_texels *to) {
-    const worn by = {material->texture, (material->flags & GLINT_MATERIAL_CLAMP) != 0};
-    const int is_bilinear = (material->flags & GLINT_MATERIAL_BILINEAR) != 0;
+    const worn by = {texture, (flags & GLINT_MATERIAL_CLAMP) != 0};
+    const int is_bilinear = (flags & GLINT_MATERIAL_BILINEAR) != 0;
     double exact[2], texels[2][2], first[2], last[2];
-    int is_settled = 1, holes = 0, others = 0;
+    int is_settled = 1, holes = 0, counts[2];
     memset(to, 0, sizeof *to);
     for (int axis = 0; axis < 2; axis++) {
         const int size = axis ? by.texture->height : by.texture->width;
@@ -140,15 +166,14 @@ void reference_sample(const glint_material *material, const double at[2], const 
     to->may_differ = !is_settled && by.texture->flags;
     if (!is_settled)
         return;
-    for (double row = first[1]; row <= last[1]; row++)
-        for (double column = first[0]; column <= last[0]; column++)
-            if (is_hole(&by, column, row))
-                holes++;
-            else
-                others++;
-    to->may_differ = holes && others;
+    for (int axis = 0; axis < 2; axis++)
+        counts[axis] = (int)(last[axis] - first[axis]) + 1;
+    for (int y = 0; y < counts[1]; y++)
+        for (int x = 0; x < counts[0]; x++)
+            holes += is_hole(&by, first[0] + x, first[1] + y);
+    to->may_differ = holes && holes < counts[0] * counts[1];
     if (is_bilinear)
         mix_within(&by, texels, to);
     else
-        list_within(&by, first, last, to);
+        list_within(&by, first, counts, to);
 }

@@ -31,11 +31,22 @@ typedef struct reference_texels {
 void reference_mesh_texture(const glint_mesh *mesh, uint32_t index, double coordinates[2]);
 
 /**
- * Samples a material's texture.
+ * Chooses the level that a triangle shows, which is not clipped.
+ * @param coordinates of its corners, in repeats
+ * @param pixels twice its area on the screen
+ * @param is_open set to 1 where the areas are so near to each other that the larger level may be shown, or the next
+ * one; else to 0
+ */
+const glint_texture *reference_choose_level(const glint_texture *texture, const double coordinates[3][2], double pixels,
+                                            int *is_open);
+
+/**
+ * Samples a texture, which may be a level of another.
+ * @param flags of the material
  * @param at exact coordinates, in repeats
  * @param window least and most coordinates within a sixteenth of a pixel, u and v
  */
-void reference_sample(const glint_material *material, const double at[2], const double window[2][2],
+void reference_sample(const glint_texture *texture, uint32_t flags, const double at[2], const double window[2][2],
                       reference_texels *to);
 
 #endif
