@@ -541,28 +541,48 @@ static void print_values(host_bytes *out, const void *values, bool are_wide, siz
     bytes_print(out, "\n};\n");
 }
 
-/** Prints a texture under the name of the first material that has it. */
-static void print_texture(const header_writer *writer, const host_texture *made, const char *suffix) {
+/** Prints one level of a texture, of which all end their names in `level` and the suffix. */
+static void print_level(const header_writer *writer, const host_texture *made, const glint_texture *texture,
+                        const char *level, const char *suffix) {
     host_bytes *out = writer->out;
-    const glint_texture *texture = &made->texture;
     const bool is_wide = made->type == TEXTURE_RGB565;
-    bytes_print(out, "\nstatic const uint%d_t %s_texels%s[%zu] = {", is_wide ? 16 : 8, writer->name, suffix,
-                texture_items(made));
-    print_values(out, texture->texels, is_wide, texture_items(made));
-    if (texture->palette != NULL) {
-        const size_t count = made->type == TEXTURE_PALETTE16 ? 16 : 256;
-        bytes_print(out, "\nstatic const uint16_t %s_palette%s[%zu] = {", writer->name, suffix, count);
-        print_values(out, texture->palette, true, count);
-    }
-    bytes_print(out, "\n%s glint_texture %s_texture%s = {\n    &glint_texture_%s,\n    %s_texels%s,\n", writer->storage,
-                writer->name, suffix, texture_type_names[made->type], writer->name, suffix);
+    bytes_print(out, "\nstatic const uint%d_t %s_texels%s%s[%zu] = {", is_wide ? 16 : 8, writer->name, level, suffix,
+                texture_items(texture));
+    print_values(out, texture->texels, is_wide, texture_items(texture));
+    bytes_print(out, "\n%s glint_texture %s_texture%s%s = {\n    &glint_texture_%s,\n    %s_texels%s%s,\n",
+                writer->storage, writer->name, level, suffix, texture_type_names[made->type], writer->name, level,
+                suffix);
     if (texture->palette != NULL) {
         bytes_print(out, "    %s_palette%s,\n", writer->name, suffix);
     } else {
         bytes_print(out, "    0, /* no palette */\n");
     }
-    bytes_print(out, "    %u, /* width */\n    %u, /* height */\n    %s,\n    %u, /* key */\n};\n", texture->width,
+    bytes_print(out, "    %u, /* width */\n    %u, /* height */\n    %s,\n    %u, /* key */\n", texture->width,
                 texture->height, texture->flags != 0 ? "GLINT_TEXTURE_HAS_KEY" : "0", texture->key);
+}
+
+/** Prints a texture under the name of the first material that has it, its smallest level first. */
+static void print_texture(const header_writer *writer, const host_texture *made, const char *suffix) {
+    host_bytes *out = writer->out;
+    char smaller[24] = "";
+    if (made->texture.palette != NULL) {
+        const size_t count = made->type == TEXTURE_PALETTE16 ? 16 : 256;
+        bytes_print(out, "\nstatic const uint16_t %s_palette%s[%zu] = {", writer->name, suffix, count);
+        print_values(out, made->texture.palette, true, count);
+    }
+    for (size_t i = made->level_count + 1; i-- > 0;) {
+        char level[24] = "";
+        if (i > 0) {
+            snprintf(level, sizeof level, "%zu", i);
+        }
+        print_level(writer, made, i > 0 ? &made->levels[i - 1] : &made->texture, level, suffix);
+        if (i < made->level_count) {
+            bytes_print(out, "    &%s_texture%s%s,\n};\n", writer->name, smaller, suffix);
+        } else {
+            bytes_print(out, "    0, /* no smaller level */\n};\n");
+        }
+        memcpy(smaller, level, sizeof smaller);
+    }
 }
 
 static void print_textures(const header_writer *writer) {

@@ -276,6 +276,8 @@ static const host_option options[] = {
     {"--texture-type", "TYPE", "auto, rgb565, grey8, palette256 or palette16; auto: the smallest within 35 dB", MESH,
      WORD(load.texture.type, texture_type_names)},
     {"--texture-dither", NULL, "spread errors of textures over the next texels", MESH, SWITCH(load.texture.dither)},
+    {"--texture-levels", NULL, "smaller levels for triangles that are far away: a third more flash", MESH,
+     SWITCH(load.texture.levels)},
     {"--bilinear", NULL, "interpolate between texels, in place of showing the nearest", MESH, SWITCH(bilinear)},
     {"--import-seconds", "S", "time for reading by glint-import: other formats, and JPEG; 60", MESH,
      COUNT(load.import.seconds, 1, 86400, "seconds from 1 to 86400")},

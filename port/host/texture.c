@@ -434,6 +434,26 @@ static const void *pack(const texture_coder *coder, uint16_t *codes) {
     return bytes;
 }
 
+/** Makes the smaller levels of a texture. */
+static void make_levels(texture_coder *coder, const texture_options *options, host_texture *made) {
+    const host_picture *whole = coder->picture;
+    for (glint_texture *larger = &made->texture; larger->width > 1 || larger->height > 1;) {
+        glint_texture *level = &made->levels[made->level_count++];
+        *level = *larger;
+        level->width = (uint16_t)((larger->width + 1) / 2);
+        level->height = (uint16_t)((larger->height + 1) / 2);
+        const host_picture texels = resample(whole, coder->cutoff, level->width, level->height);
+        coder->picture = &texels;
+        coder->count = (size_t)level->width * level->height;
+        level->texels = pack(coder, encode_all(coder, options->dither));
+        made->size += size_of(coder, coder->type) - 2 * (size_t)palette_size(coder->type);
+        coder->picture = whole;
+        free(texels.pixels);
+        larger->smaller = level;
+        larger = level;
+    }
+}
+
 static host_texture *make_texture(texture_coder *coder, const texture_options *options) {
     static const glint_texture_type *const types[] = {NULL, &glint_texture_rgb565, &glint_texture_grey8,
                                                       &glint_texture_palette256, &glint_texture_palette16};
@@ -461,6 +481,9 @@ static host_texture *make_texture(texture_coder *coder, const texture_options *o
         made->texture.flags = GLINT_TEXTURE_HAS_KEY;
         made->texture.key = (uint16_t)key_of(coder->type);
     }
+    if (options->levels) {
+        make_levels(coder, options, made);
+    }
     free(coder->weights);
     free(coder->nearest);
     return made;
@@ -485,11 +508,14 @@ void texture_free(host_texture *texture) {
     /* The library sees them as const; they are this module's own. */
     free((void *)(uintptr_t)texture->texture.texels);
     free((void *)(uintptr_t)texture->texture.palette);
+    for (size_t i = 0; i < texture->level_count; i++) {
+        free((void *)(uintptr_t)texture->levels[i].texels);
+    }
     free(texture->name);
     free(texture);
 }
 
-size_t texture_items(const host_texture *texture) {
-    const size_t count = (size_t)texture->texture.width * texture->texture.height;
-    return texture->type == TEXTURE_PALETTE16 ? (count + 1) / 2 : count;
+size_t texture_items(const glint_texture *texture) {
+    const size_t count = (size_t)texture->width * texture->height;
+    return texture->type == &glint_texture_palette16 ? (count + 1) / 2 : count;
 }

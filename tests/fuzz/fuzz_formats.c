@@ -38,9 +38,11 @@ static void check_texture(const host_texture *made) {
     require(is_side(texture->width) && is_side(texture->height) && texture->flags <= GLINT_TEXTURE_HAS_KEY);
     require(made->error >= 0 && made->error <= 255.0 * 255 && (texture->palette != NULL) == has_palette);
     unsigned sum = 0; /* all of it can be read */
-    for (size_t i = 0; i < texture_items(made); i++) {
-        sum += made->type == TEXTURE_RGB565 ? ((const uint16_t *)texture->texels)[i]
-                                            : ((const uint8_t *)texture->texels)[i];
+    for (const glint_texture *level = texture; level != NULL; level = level->smaller) {
+        for (size_t i = 0; i < texture_items(level); i++) {
+            sum += made->type == TEXTURE_RGB565 ? ((const uint16_t *)level->texels)[i]
+                                                : ((const uint8_t *)level->texels)[i];
+        }
     }
     for (size_t i = 0; has_palette && i < (made->type == TEXTURE_PALETTE16 ? 16 : 256); i++) {
         sum += texture->palette[i];
@@ -52,7 +54,8 @@ static void read_picture(const uint8_t *data, size_t size) {
     host_picture picture;
     host_problem problem = {0, ""};
     const uint8_t choice = data[size - 1];
-    const texture_options options = {(texture_type)(choice % 5), choice & 64 ? 16 : 0, (choice & 32) != 0};
+    const texture_options options = {(texture_type)(choice % 5), choice & 64 ? 16 : 0, (choice & 32) != 0,
+                                     (choice & 128) != 0};
     uint8_t *memory = allocate(size);
     memcpy(memory, data, size);
     const bool ok = png_decode(memory, size, &picture, &problem);

@@ -233,7 +233,7 @@ def test_drawn_as_materials_say(host):
 def arrays(text, name):
     """Width, height, key or None, and the levels of each texel of a converted texture."""
     body = re.search(rf"glint_texture {name} = \{{\n    &glint_texture_(\w+),\n    (\w+),\n    (\w+).*?,.*?\n    (\d+), /\* width \*/\n    (\d+), "
-                     rf"/\* height \*/\n    (\w+),\n    (\d+), /\* key \*/\n\}};", text)
+                     rf"/\* height \*/\n    (\w+),\n    (\d+), /\* key \*/\n    (?:0|&\w+),.*?\n\}};", text)
     kind, packed, palette, width, height, flags, key = body.groups()
     values = {array: [int(v) for v in re.search(rf" {array}\[\d+\] = \{{(.*?)\}};", text, re.DOTALL)[1].replace(",", " ").split()]
               for array in (packed, palette) if array != "0"}
@@ -314,6 +314,35 @@ def test_sizes(host):
         host.refuses(f"--texture-size {value}", ["info", "t.obj", "--texture-size", value], r"glint: --texture-size .*: takes texels from 1 to 1024")
 
 
+def test_levels(host):
+    """Each level has means of what is below it, and holes where most of that is hole; flash says what all take."""
+    numbers = random.Random(6)
+    for width, height, kind, alpha in [(16, 16, "rgb565", 255), (16, 4, "palette256", 255), (2, 8, "palette16", 0), (8, 8, "grey8", 0), (1, 1, "rgb565", 255)]:
+        colours = [[(8 * numbers.randint(0, 31),) * 3 + (numbers.choice((alpha, 255)),) for _ in range(width)] for _ in range(height)]
+        write(host, encode([[level for colour in row for level in colour] for row in colours], colour=6))
+        plain = converted(host, "--texture-type", kind)
+        text, (*_, size, _), stdout = converted(host, "--texture-type", kind, "--texture-levels")
+        names = ["t_texture_paint"] + [f"t_texture{i}_paint" for i in range(1, max(width, height).bit_length())]
+        host.equal(f"{kind}: levels", re.findall(r"glint_texture (\w+) = ", text), names[::-1])
+        host.equal(f"{kind}: each names the next, and the material the largest", re.findall(r"&(t_texture\w+),", text), names[::-1])
+        host.equal(f"{kind}: the texture is the same", arrays(text, names[0]), arrays(plain[0], names[0]))
+        bits = {"rgb565": 16, "palette16": 4}.get(kind, 8)
+        counts = [max(1, width >> i) * max(1, height >> i) for i in range(len(names))]
+        host.equal(f"{kind}: bytes", int(size) - int(plain[1][3]), sum((count * bits + 7) // 8 for count in counts[1:]))
+        for i, name in enumerate(names):
+            _, across, down, levels, holes = arrays(text, name)
+            host.equal(f"{name}: size", (across, down), (max(1, width >> i), max(1, height >> i)))
+            for at, (got, hole) in enumerate(zip(levels, holes)):
+                x, y, wide, high = at % across, at // across, width // across, height // down
+                below = [colours[y * high + b][x * wide + a] for a in range(wide) for b in range(high)]
+                shown = [colour[0] for colour in below if colour[3]]
+                if 2 * len(shown) != len(below):
+                    host.equal(f"{kind} {name} {at}: hole", hole, 2 * len(shown) < len(below))
+                if not hole and kind != "palette16":
+                    host.check(f"{kind} {name} {at}: mean", abs(got[1] - sum(shown) / len(shown)) <= (12 if kind == "palette256" else 5), f"{got} {shown}")
+    host.equal("info", host.run("info", "t.obj", "--texture-levels").returncode, 0)
+
+
 def test_holes(host):
     """Texels whose alpha is below one half have the key, others never."""
     numbers = random.Random(5)
@@ -340,7 +369,7 @@ def test_converted_materials(host):
         "usemtl d\nf 1/1 2/2 3/3 4/4", "usemtl b\nf 1 2 3 4")
     write(host, picture(letters), paint, model)
     host.write("other.png", picture(lambda x, y: (0, 30 * x, 30 * y)))
-    for options in ([], ["--objects"], ["--bilinear", "--positions", "int8", "--indices", "auto"]):
+    for options in ([], ["--objects"], ["--texture-levels"], ["--bilinear", "--positions", "int8", "--indices", "auto"]):
         text = convert(host, "t.obj", *options)
         host.equal(f"{options}: textures", re.findall(r"glint_texture (t_texture_\w+) = ", text), ["t_texture_a", "t_texture_c"])
         host.equal(f"{options}: of materials", re.findall(r"&(t_texture_\w+),", text), ["t_texture_a", "t_texture_a", "t_texture_c"])
