@@ -38,5 +38,7 @@ void free_drawing(drawing *d) {
     for (int i = 0; i < DRAWING_OBJECTS; i++) {
         free((void *)(uintptr_t)d->texels[i]);
         free((void *)(uintptr_t)d->palettes[i]);
+        for (int j = 0; j < DRAWING_LEVELS; j++)
+            free((void *)(uintptr_t)d->levels[i][j].texels);
     }
 }

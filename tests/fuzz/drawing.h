@@ -8,6 +8,7 @@
 
 #define DRAWING_MESHES 2
 #define DRAWING_OBJECTS 4
+#define DRAWING_LEVELS 10
 
 /** A scene; not to be moved once made. Arrays of meshes are of the size that these state, for reads beyond to be seen.
  */
@@ -19,6 +20,7 @@ typedef struct drawing {
     glint_material materials[DRAWING_OBJECTS];
     glint_texture textures[DRAWING_OBJECTS];                         /**< Of those that wear one, */
     const void *texels[DRAWING_OBJECTS], *palettes[DRAWING_OBJECTS]; /**< and what they point to. */
+    glint_texture levels[DRAWING_OBJECTS][DRAWING_LEVELS];           /**< And levels of their own. */
     glint_light lights[GLINT_LIGHTS_MAX + 1];
     glint_object objects[DRAWING_OBJECTS];
     glint_fog fog;

@@ -2,6 +2,8 @@
 /* Textures of a scene's materials: of every type, with holes, and now and then wrong. */
 #include "drawing.h"
 
+#include <string.h>
+
 /* All of 16 bits, or a few values of them, which are met again. Texels take just as many bytes as they need. */
 static void *take_texels(source *s, const glint_texture *texture, uint32_t *first) {
     const uint32_t count = (uint32_t)texture->width * texture->height;
@@ -13,9 +15,11 @@ static void *take_texels(source *s, const glint_texture *texture, uint32_t *firs
     uint8_t *const texels = allocate(size);
     for (size_t i = 0; i < size; i++)
         texels[i] = (uint8_t)(next_random(&state) & mask);
-    *first = texture->type == &glint_texture_rgb565      ? *(const uint16_t *)(const void *)texels
-             : texture->type == &glint_texture_palette16 ? texels[0] >> 4
-                                                         : texels[0];
+    const int is_word = texture->type == &glint_texture_rgb565, is_nibble = texture->type == &glint_texture_palette16;
+    uint8_t byte = 0;
+    uint16_t word = 0;
+    memcpy(is_word ? (void *)&word : &byte, texels, is_word ? sizeof word : sizeof byte);
+    *first = is_word ? word : is_nibble ? byte >> 4 : byte;
     return texels;
 }
 
@@ -67,6 +71,24 @@ static void take_texture(source *s, glint_texture *texture) {
     }
 }
 
+/* Levels of a sound texture, of texels of their own, as many as there are or fewer. */
+static void take_levels(source *s, glint_texture *texture, glint_texture levels[DRAWING_LEVELS], int is_sound) {
+    glint_texture *larger = texture;
+    uint32_t first;
+    for (uint32_t i = 0, count = 1 + below(s, DRAWING_LEVELS); larger->width * larger->height > 1 && i < count; i++) {
+        levels[i] = *larger;
+        levels[i].width = (uint16_t)((larger->width + 1) / 2);
+        levels[i].height = (uint16_t)((larger->height + 1) / 2);
+        levels[i].texels = take_texels(s, &levels[i], &first);
+        larger->smaller = &levels[i];
+        larger = &levels[i];
+    }
+    if (!is_sound && one_in(s, 8))
+        larger->smaller = below(s, 2) ? texture : larger; /* a ring */
+    if (!is_sound && one_in(s, 8))
+        spoil(s, larger);
+}
+
 /* Places of vertices on the texture: any, or all within a repeat or a few. */
 static void take_coordinates(source *s, glint_mesh *mesh, int is_sound) {
     int16_t(*coordinates)[2] = allocate(mesh->vertex_count * sizeof *coordinates);
@@ -96,6 +118,8 @@ void take_textures(source *s, drawing *d, int is_sound) {
         d->palettes[i] = d->textures[i].palette;
         d->materials[i].texture = &d->textures[i];
         d->materials[i].flags |= below(s, 4) * GLINT_MATERIAL_CLAMP;
+        if (one_in(s, 4))
+            take_levels(s, &d->textures[i], d->levels[i], is_sound);
         if (!is_sound && one_in(s, 16))
             spoil(s, &d->textures[i]);
     }

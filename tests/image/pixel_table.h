@@ -7,18 +7,18 @@
 #include <stdint.h>
 
 static const uint32_t pixel_table[] = {
-    0xea0feda7u, /* regions */
-    0xb4b88266u, /* regions */
-    0x7614a274u, /* large regions */
+    0x41053764u, /* regions */
+    0x46d8a5d4u, /* regions */
+    0xe86aa2c4u, /* large regions */
     0xef93c087u, /* large regions */
-    0xa353c9d3u, /* large regions */
-    0xa4b7f42bu, /* varied regions */
-    0xf3242052u, /* varied regions */
-    0x628d91b3u, /* varied regions */
-    0xa10ce3ffu, /* varied regions */
-    0x64cddaafu, /* varied regions */
-    0x42d1fed0u, /* varied regions */
-    0xf15620b1u, /* varied regions */
+    0x16060117u, /* large regions */
+    0xa98a697fu, /* varied regions */
+    0x21de6b96u, /* varied regions */
+    0x33aff565u, /* varied regions */
+    0x5fdf0797u, /* varied regions */
+    0x0a003cc2u, /* varied regions */
+    0x667a358cu, /* varied regions */
+    0x40e2b119u, /* varied regions */
     0xb3369783u, /* varied regions */
     0x0204bf4fu, /* varied benchmark */
     0xcbbc743cu, /* varied benchmark */

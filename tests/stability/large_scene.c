@@ -4,6 +4,7 @@
 #include "every_format.h"
 #include "grids.h"
 #include "random_texture.h"
+#include "source.h"
 
 #include <string.h>
 
@@ -199,7 +200,7 @@ static void dress(large_scene *s, source *random) {
         large_mesh *const mesh = &s->meshes[i];
         if (one_in(random, 2))
             random_texture_dress(&mesh->mesh, mesh->texture_coordinates, &s->materials[i], &s->textures[i], random);
-        s->is_closed &= !s->textures[i].flags;
+        s->is_closed &= !s->textures[i].texture.flags;
     }
 }
 

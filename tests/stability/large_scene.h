@@ -9,6 +9,7 @@
 #define GLINT_STABILITY_LARGE_SCENE_H
 
 #include "glint_extras.h"
+#include "random_texture.h"
 
 #define LARGE_OBJECTS_MAX 4
 #define LARGE_VERTICES_MAX 96
@@ -34,7 +35,7 @@ typedef struct large_scene {
     const glint_format *format;
     large_mesh meshes[LARGE_OBJECTS_MAX];
     glint_material materials[LARGE_OBJECTS_MAX];
-    glint_texture textures[LARGE_OBJECTS_MAX];
+    random_texture textures[LARGE_OBJECTS_MAX];
     glint_light lights[GLINT_LIGHTS_MAX];
     glint_object objects[LARGE_OBJECTS_MAX];
     glint_fog fog;

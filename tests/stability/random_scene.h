@@ -8,6 +8,7 @@
 #define GLINT_STABILITY_RANDOM_SCENE_H
 
 #include "glint_extras.h"
+#include "random_texture.h"
 
 #define RANDOM_OBJECTS_MAX 3
 #define RANDOM_LIGHTS_MAX 4
@@ -32,7 +33,7 @@ typedef struct random_scene {
     uint16_t tile_width, tile_height; /**< Of the configuration. */
     random_mesh meshes[RANDOM_OBJECTS_MAX];
     glint_material materials[RANDOM_OBJECTS_MAX];
-    glint_texture textures[RANDOM_OBJECTS_MAX];
+    random_texture textures[RANDOM_OBJECTS_MAX];
     glint_light lights[GLINT_LIGHTS_MAX]; /**< Most regions have RANDOM_LIGHTS_MAX at most. */
     glint_object objects[RANDOM_OBJECTS_MAX];
     glint_fog fog;

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "random_texture.h"
 
+#include "source.h"
+
 #include <stddef.h>
 
 /* ---- Texels ---- */
@@ -27,7 +29,24 @@ static uint16_t take_size(source *random) {
     return (uint16_t)(1u << below(random, most));
 }
 
-static void make_texture(glint_texture *texture, source *random) {
+/* Gives some textures levels, down to one texel or not as far; no other number depends on it. */
+static void make_levels(random_texture *made, uint32_t number) {
+    glint_texture *larger = &made->texture;
+    if (number % 3)
+        return;
+    for (uint32_t i = 0; larger->width * larger->height > 1 && i < 1 + number / 3 % 16; i++) {
+        glint_texture *const level = &made->levels[i];
+        *level = *larger;
+        level->width = (uint16_t)((larger->width + 1) / 2);
+        level->height = (uint16_t)((larger->height + 1) / 2);
+        level->texels = (const uint16_t *)larger->texels + 64;
+        larger->smaller = level;
+        larger = level;
+    }
+}
+
+static void make_texture(random_texture *made, source *random) {
+    glint_texture *const texture = &made->texture;
     static const glint_texture_type *const types[4] = {&glint_texture_rgb565, &glint_texture_grey8,
                                                        &glint_texture_palette256, &glint_texture_palette16};
     const uint32_t type = below(random, 4), first = below(random, 2048);
@@ -36,10 +55,11 @@ static void make_texture(glint_texture *texture, source *random) {
     *texture = (glint_texture){.type = types[type], .texels = pool + first, .palette = type >= 2 ? pool + 1000 : NULL};
     texture->width = take_size(random);
     texture->height = take_size(random);
-    if (!one_in(random, 3))
-        return;
-    texture->flags = GLINT_TEXTURE_HAS_KEY;
-    texture->key = (uint16_t)(pool[first + below(random, 16)] & (type == 0 ? 0xffff : type == 3 ? 15 : 255));
+    if (one_in(random, 3)) {
+        texture->flags = GLINT_TEXTURE_HAS_KEY;
+        texture->key = (uint16_t)(pool[first + below(random, 16)] & (type == 0 ? 0xffff : type == 3 ? 15 : 255));
+    }
+    make_levels(made, first);
 }
 
 /* ---- Places ---- */
@@ -84,11 +104,11 @@ static void map_vertices(glint_mesh *mesh, int16_t (*coordinates)[2], source *ra
     mesh->texture_coordinates = (const int16_t(*)[2])coordinates;
 }
 
-void random_texture_dress(glint_mesh *mesh, int16_t (*coordinates)[2], glint_material *material, glint_texture *texture,
-                          source *random) {
+void random_texture_dress(glint_mesh *mesh, int16_t (*coordinates)[2], glint_material *material,
+                          random_texture *texture, source *random) {
     make_texture(texture, random);
     map_vertices(mesh, coordinates, random);
-    material->texture = texture;
+    material->texture = &texture->texture;
     if (one_in(random, 3))
         material->diffuse = (glint_colour){GLINT_ONE, GLINT_ONE, GLINT_ONE};
     if (one_in(random, 4))
