@@ -179,8 +179,8 @@ extern const glint_texture_type glint_texture_palette16;  /**< 4 bits a texel, t
 
 /** A texture is a picture that surfaces wear, in flash or RAM. The caller owns it. It is read while a frame is drawn
  * and never written. Of its levels (mipmaps) each triangle shows one: the largest that has no more texels than pixels
- * in the triangle's area, or else the last. Triangles that cross the near plane, or reach far beyond the screen, show
- * the texture itself. */
+ * (or samples, where glint_config.samples is set) in the triangle's area, or else the last. Triangles that cross the
+ * near plane, or reach far beyond the screen, show the texture itself. */
 typedef struct glint_texture {
     const glint_texture_type *type;      /**< How texels are stored. */
     const void *texels;                  /**< Row after row, from the top one; of RGB565 aligned to 2. */
