@@ -25,14 +25,6 @@ static uint32_t find_window_end(int32_t exponent, uint32_t weight) {
     return (1u << 30) - glint_exp2((int32_t)-y);
 }
 
-/* Returns the least power of two from `cut` up that has all bits of a table's index and of positions in intervals. */
-static uint32_t find_window(uint32_t cut) {
-    uint32_t window = 1u << (GLINT_POWER_TABLE_BITS + GLINT_POWER_FRACTION_BITS);
-    while (window < cut)
-        window <<= 1;
-    return window;
-}
-
 /* Makes the table of x^p for p < 2: GLINT_POWER_OCTAVE intervals from 1/2 to 1, and behind them the powers of 2^-i. */
 static void prepare_octaves(glint_power_table *table) {
     const int32_t p = table->exponent;
@@ -47,14 +39,17 @@ void glint_power_prepare(glint_power_table *table, int32_t exponent, uint32_t we
     table->exponent = exponent;
     table->direct = exponent < 2 * GLINT_ONE;
     const uint32_t cut = table->direct ? 1u << 30 : find_window_end(exponent, weight);
-    table->window = find_window(cut);
+    /* The window is the least power of two from the cut up. As p is below 2^15, that is 2^20 or more, which has all
+     * bits of a table's index and of positions in intervals. */
+    const unsigned bits = 32 - glint_leading_zeros(cut - 1);
+    table->window = 1u << bits;
     uint32_t inside = (1u << 30) - table->window;
     table->cosine_square_floor = (int32_t)((inside - (inside >> 11)) >> 15);
     if (table->direct) {
         prepare_octaves(table);
         return;
     }
-    table->index_shift = 31u - glint_leading_zeros(table->window) - GLINT_POWER_TABLE_BITS;
+    table->index_shift = bits - GLINT_POWER_TABLE_BITS;
     int32_t f[3]; /* values at three nodes in a row: around node i, if it has two neighbours */
     for (uint32_t i = 0; i < 3; i++)
         f[i] = power_of_sine(i << table->index_shift, exponent);
