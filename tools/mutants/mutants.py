@@ -211,7 +211,8 @@ def plain(folder, source):
         return None
     with tempfile.NamedTemporaryFile(suffix=".o") as file:
         subprocess.run([*PLAIN, file.name, source], cwd=folder, stderr=subprocess.DEVNULL, check=False)
-        return file.read()
+        with open(file.name, "rb") as made:  # A cache of the compiler may put another file in its place.
+            return made.read()
 
 
 # ---- Results --------------------------------------------------------------------------------------------------------
