@@ -191,6 +191,43 @@ static void triangles_of_few_vertices(void) {
     check_variant(2, many_triangles_of_few_vertices);
 }
 
+/* Pyramids in one place; each side is there twice. */
+enum { CROWD = 5000 };
+static int16_t crowd_points[4 * CROWD][3];
+static uint16_t crowd_sides[8 * CROWD][3];
+
+/* A pass numbers 57344 triangles, and two meshes have more in view. The third is drawn as without them: a user would
+ * see it missing, or corners of others. */
+static void more_triangles_than_a_pass_numbers(void) {
+    picture wanted = open_picture(), got = open_picture();
+    const picture_options options = {.tile_width = 32, .tile_height = 16, .arena_size = (size_t)1 << 22};
+    glint_mesh crowd = pyramid, half;
+    row r;
+    for (unsigned i = 0; i < 4 * CROWD; i++)
+        memcpy(crowd_points[i], points[i % 4], sizeof points[0]);
+    for (unsigned i = 0; i < 8 * CROWD; i++)
+        for (int c = 0; c < 3; c++)
+            crowd_sides[i][c] = (uint16_t)(i / 4 % CROWD * 4 + sides[i % 4][c]);
+    crowd.positions = crowd.normals = (const int16_t(*)[3])crowd_points;
+    crowd.triangles = (const uint16_t(*)[3])crowd_sides;
+    crowd.vertex_count = 4 * CROWD;
+    crowd.triangle_count = 8 * CROWD;
+    crowd.flags = GLINT_MESH_DOUBLE_SIDED;
+    half = crowd;
+    half.triangle_count = 4 * CROWD;
+    build(&r, 3, lambert);
+    for (int i = 0; i < 3; i++)
+        r.objects[i].pose.m[0][3] = (i - 1) * GLINT_ONE;
+    CHECK_EQUAL(picture_render(&wanted, &r.scene, &options, 0), GLINT_OK);
+    CHECK(!is_blank(&wanted));
+    r.objects[0].mesh = &crowd;
+    r.objects[1].mesh = &half;
+    CHECK_EQUAL(picture_render(&got, &r.scene, &options, 0), GLINT_OK);
+    CHECK(picture_equal(&wanted, &got));
+    picture_close(&wanted);
+    picture_close(&got);
+}
+
 /* Highlights so wide that no table serves them. */
 static void wide_lobes(row *r, uint32_t i) {
     r->materials[i].model = i % 2 ? &glint_model_phong : &glint_model_blinn_phong;
@@ -554,6 +591,7 @@ int test_main(test_writer write) {
         TEST_CASE(objects_of_all_evaluations),
         TEST_CASE(objects_behind_the_eye),
         TEST_CASE(triangles_of_few_vertices),
+        TEST_CASE(more_triangles_than_a_pass_numbers),
         TEST_CASE(arenas_of_any_content),
         TEST_CASE(pixels_apart),
         TEST_CASE(more_clusters_than_numbers),
