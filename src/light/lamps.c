@@ -150,7 +150,7 @@ static GLINT_NOINLINE void set_lamps(glint_row_walk *walk) {
 /* ---- Fragments ---- */
 
 GLINT_NOINLINE uint32_t glint_lengthen_view(glint_lit_view *view, uint32_t square) {
-    const unsigned up = (glint_leading_zeros(square | 1) - 2) >> 1;
+    const unsigned up = (glint_leading_zeros(square) - 2) >> 1;
     for (int c = 0; c < 3; c++)
         view->v[c] = glint_shift_left(view->v[c], up);
     return square << 2 * up;
