@@ -362,6 +362,14 @@ static void empty_pictures_have_a_reason(void) {
     CASE(flatten(&p, 1), GLINT_OK, "counter-clockwise", -1, -1)
 }
 
+static int paint_white(void *context, const glint_tile *tile) {
+    (void)context;
+    for (int y = 0; y < tile->height; y++)
+        memset((uint8_t *)tile->pixels + (size_t)y * tile->stride, 0xff, 2 * (size_t)tile->width);
+    return 0;
+}
+
+/* The last is as black before a painted background, which a user's program may well have. */
 static void black_pictures_have_a_reason(void) {
     CASE(p.scene.scene.light_count = 0, GLINT_OK, "no light", -1, -1)
     CASE(p.scene.lights[0].diffuse = ((glint_colour){0, 0, 0}), GLINT_OK, "lights are black", -1, -1)
@@ -371,6 +379,7 @@ static void black_pictures_have_a_reason(void) {
          memset(&p.scene.materials[0].specular, 0, sizeof(glint_colour)), GLINT_OK, "materials are black", -1, -1)
     CASE(flatten(&p, 0);
          p.scene.lights[0].direction = ((glint_vector){0, 0, GLINT_ONE}), GLINT_OK, "no light reaches", -1, -1)
+    CASE(p.scene.scene.light_count = 0; p.config.background.paint = paint_white, GLINT_OK, "no light", -1, -1)
 }
 
 static void numbers_that_look_like_integers_are_told(void) {
