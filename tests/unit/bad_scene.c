@@ -46,6 +46,9 @@ void bad_cameras_are_refused(void) {
     REFUSED(GLINT_ERROR_CAMERA, f->scene.camera.pose.m[2][2] = GLINT_ONE / 2);
     REFUSED(GLINT_ERROR_CAMERA, f->scene.camera.pose.m[0][1] = GLINT_ONE / 4);
     REFUSED(GLINT_ERROR_CAMERA, f->scene.camera.pose.m[2][0] = INT32_MIN);
+    ACCEPTED(f->scene.camera.pose.m[0][0] = GLINT_ONE + 63); /* its square is off by less than 2^-9 */
+    REFUSED(GLINT_ERROR_CAMERA, f->scene.camera.pose.m[0][0] = GLINT_ONE + 64);
+    REFUSED(GLINT_ERROR_CAMERA, f->scene.camera.pose.m[0][0] = GLINT_ONE - 65);
     expect_look_at(zero, zero, along);
     expect_look_at(zero, along, zero);
     expect_look_at(zero, along, twice);
