@@ -387,6 +387,23 @@ static void specks_in_wide_views(void) {
     }
 }
 
+/* A square of nearly 2^17 units to a side, the largest that is drawn, fills the narrowest view as a small one does. */
+static void largest_objects_in_the_narrowest_view(void) {
+    const glint_mesh large = scene_square_mesh(INT32_MAX, GLINT_ONE);
+    test_scene s;
+    build_squares(&s);
+    s.scene.camera.view_height = GLINT_ONE / 256;
+    s.scene.object_count = 1;
+    picture wanted = draw(&s.scene);
+    s.objects[0].mesh = &large;
+    for (int scale = 2; scale < 8; scale++) {
+        for (int i = 0; i < 3; i++)
+            s.objects[0].pose.m[i][i] = scale * GLINT_ONE / 2;
+        CHECK(has_near_square(&s, &wanted));
+    }
+    picture_close(&wanted);
+}
+
 int test_main(test_writer write) {
     static const test_case cases[] = {
         TEST_CASE(scenes_keep_the_contract),
@@ -400,6 +417,7 @@ int test_main(test_writer write) {
         TEST_CASE(points_are_placed),
         TEST_CASE(near_plane_between_coordinates),
         TEST_CASE(specks_in_wide_views),
+        TEST_CASE(largest_objects_in_the_narrowest_view),
     };
     return test_run(write, cases, TEST_COUNT(cases));
 }
