@@ -159,6 +159,30 @@ static void fans(void) {
     }
 }
 
+/*
+ * The left side of a large triangle, (x, y) to (x + dx, y + dy), passes a pixel's centre at one row by 1/(16 dy) of a
+ * pixel, the least that it can: (x - 8) dy + (16 row + 8 - y) dx is 1 modulo 16 dy. The pixel is outside.
+ */
+static void sides_just_beside_centres(void) {
+    enum { TOP = 9, DY = 961 };
+    for (int row = 4; row < 60; row++) {
+        static patch p;
+        const int down = 16 * row + 8 - TOP;
+        int dx = 1;
+        while (dx < DY && down * dx % DY != 1)
+            dx++;
+        if (dx < 100 || dx > 800)
+            continue;
+        const int x = 8 + (16 - down * dx / DY % 16) % 16;
+        patch_begin(&p);
+        patch_vertex(&p, x, TOP);
+        patch_vertex(&p, x + dx, TOP + DY);
+        patch_vertex(&p, 1000, TOP);
+        patch_triangle(&p, 0, 1, 2);
+        CHECK(check_patch(&p.scene) > 100);
+    }
+}
+
 /* A lattice of quads with jittered vertices that keeps its triangles' winding. */
 static void build_lattice(patch *p, int grid, int jitter) {
     const int pitch = 8 * 16;
@@ -439,6 +463,7 @@ static void objects_were_hidden(void) {
 int test_main(test_writer write) {
     static const test_case cases[] = {
         TEST_CASE(fans),
+        TEST_CASE(sides_just_beside_centres),
         TEST_CASE(reversed_winding),
 
         TEST_CASE(clipped_at_the_near_plane),
