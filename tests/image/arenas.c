@@ -3,6 +3,7 @@
  * Suite: every size of arena, from none to one byte more than the best. Below the smallest it is refused, from there
  * on the picture is the same.
  */
+#include "bench.h"
 #include "glint_extras.h"
 #include "harness.h"
 #include "picture.h"
@@ -583,6 +584,21 @@ static void quarters_need_the_same(void) {
     picture_close(&image);
 }
 
+/* Where passes draw parts of objects, triangles share transformed vertices: without that a user would wait longer. */
+static void parts_share_vertices(void) {
+    picture image = picture_open(320, 240, &glint_format_rgb565);
+    picture_options options = {.tile_width = 32, .tile_height = 32};
+    bench_scene scene;
+    glint_stats once, parts;
+    bench_build_scene(&scene, &bench_definitions[0], scene_bench_mesh(0), 3);
+    const glint_need need = picture_need(&image, &scene.scene, &options);
+    CHECK_EQUAL(picture_render(&image, &scene.scene, &options, &once), GLINT_OK);
+    options.arena_size = need.least + (need.resident - need.least) / 2;
+    CHECK_EQUAL(picture_render(&image, &scene.scene, &options, &parts), GLINT_OK);
+    CHECK_AT_MOST(parts.vertices, 6 * once.vertices); /* 3.8; and 17 without a cache */
+    picture_close(&image);
+}
+
 int test_main(test_writer write) {
     static const test_case cases[] = {
         TEST_CASE(matt_materials),
@@ -601,6 +617,7 @@ int test_main(test_writer write) {
         TEST_CASE(lists_of_most_clipped),
         TEST_CASE(parts_in_many_tiles),
         TEST_CASE(quarters_need_the_same),
+        TEST_CASE(parts_share_vertices),
     };
     return test_run(write, cases, TEST_COUNT(cases));
 }
