@@ -374,6 +374,24 @@ static void directions_and_copies_change_nothing(void) {
     }
 }
 
+/* Lines in a region, which begins inside of a tile, are hidden by what hides them in the whole frame. */
+static void depth_in_regions_is_that_of_the_frame(void) {
+    static overlay whole;
+    const glint_rectangle region = {5, 6, WIDTH - 9, HEIGHT - 9};
+    picture image = open_picture(&glint_format_grey8);
+    int unlike = 0;
+    build(&scene, 1);
+    place(&scene);
+    draw(&scene.at.scene, scene.segments, LINES, &image);
+    whole = over;
+    draw_with(&scene.at.scene, &(picture_options){.region = region}, scene.segments, LINES, &image);
+    for (int y = region.y; y < region.y + region.height; y++)
+        for (int x = region.x; x < region.x + region.width; x++)
+            unlike += over.before[y][x] != whole.before[y][x] || over.after[y][x] != whole.after[y][x];
+    CHECK_EQUAL(unlike, 0);
+    picture_close(&image);
+}
+
 /* Does a picture show, where lines are, what a screen of their colour shows, and elsewhere what there is without? */
 static void check_format(const glint_format *format, uint32_t number) {
     picture plain = open_picture(format), lines = open_picture(format), even = open_picture(format);
@@ -714,6 +732,7 @@ int test_main(test_writer write) {
         TEST_CASE(pixels_are_those_of_the_rule),
         TEST_CASE(lines_far_from_all_else_keep_their_side),
         TEST_CASE(directions_and_copies_change_nothing),
+        TEST_CASE(depth_in_regions_is_that_of_the_frame),
         TEST_CASE(every_format_shows_their_colour),
         TEST_CASE(edges_show_on_their_mesh),
         TEST_CASE(boxes_have_twelve_edges),
