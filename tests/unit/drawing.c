@@ -351,3 +351,20 @@ void far_squares_without_depth(void) {
     CHECK_EQUAL(fixture_render(f), GLINT_OK);
     CHECK_AT_MOST(worst_difference(f, white), 1);
 }
+
+/* A mesh of a few steps lies where it lies as an object moved by its offset: a user would see it beside its place. */
+void offset_of_one_step_moves_a_mesh(void) {
+    uint32_t checksum[3];
+    for (int i = 0; i < 3; i++) {
+        fixture *f = fixture_begin();
+        f->torus.extent = (glint_vector){8, 8, 8};
+        f->torus.offset.x = i == 1;
+        f->objects[0].pose = glint_pose_translate(i == 2, 0, 0);
+        f->scene.camera.pose = glint_pose_translate(0, 0, 24);
+        f->scene.camera.near_plane = 1;
+        CHECK_EQUAL(fixture_render(f), GLINT_OK);
+        checksum[i] = fixture_checksum(f);
+    }
+    CHECK_EQUAL(checksum[1], checksum[2]);
+    CHECK(checksum[0] != checksum[1]);
+}
