@@ -368,3 +368,29 @@ void offset_of_one_step_moves_a_mesh(void) {
     CHECK_EQUAL(checksum[1], checksum[2]);
     CHECK(checksum[0] != checksum[1]);
 }
+
+/* Two corners face one way, and the third its mirror image: no order of the corners makes that one colour. */
+void normals_that_differ_in_x_shade_a_triangle(void) {
+    static const int16_t positions[3][3] = {{-32767, -32767, 0}, {0, 32767, 0}, {32767, -32767, 0}};
+    static const int16_t normals[3][3] = {{-20000, 0, 25956}, {-20000, 0, 25956}, {20000, 0, 25956}};
+    static const uint16_t orders[3][1][3] = {{{2, 1, 0}}, {{1, 0, 2}}, {{0, 2, 1}}};
+    uint32_t checksum[3];
+    for (int i = 0; i < 3; i++) {
+        fixture *f = fixture_begin();
+        f->floor = (glint_mesh){.positions = positions,
+                                .normals = normals,
+                                .triangles = orders[i],
+                                .vertex_count = 3,
+                                .triangle_count = 1,
+                                .extent = {GLINT_ONE, GLINT_ONE, 0}};
+        f->objects[0].mesh = &f->floor;
+        f->objects[0].pose = glint_pose_translate(0, 0, 0);
+        f->materials[0] = (glint_material){.model = &glint_model_lambert, .diffuse = {GLINT_ONE, GLINT_ONE, GLINT_ONE}};
+        f->lights[0].direction = (glint_vector){-GLINT_ONE, 0, -GLINT_ONE};
+        f->scene.camera.pose = glint_pose_translate(0, 0, 2 * GLINT_ONE);
+        CHECK_EQUAL(fixture_render(f), GLINT_OK);
+        checksum[i] = fixture_checksum(f);
+    }
+    CHECK_EQUAL(checksum[0], checksum[1]);
+    CHECK_EQUAL(checksum[1], checksum[2]);
+}

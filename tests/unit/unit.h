@@ -37,6 +37,7 @@
     CASE(farthest_surfaces_are_lit)                 \
     CASE(farthest_row_is_drawn)                     \
     CASE(offset_of_one_step_moves_a_mesh)           \
+    CASE(normals_that_differ_in_x_shade_a_triangle) \
     CASE(corners_below_a_power_of_two_stay)         \
     CASE(light_at_the_only_pixel_is_left_out)       \
     CASE(far_squares_without_depth)                 \
