@@ -7,19 +7,19 @@
 #include <stdint.h>
 
 static const uint32_t pixel_table[] = {
-    0x41053764u, /* regions */
-    0x46d8a5d4u, /* regions */
-    0xe86aa2c4u, /* large regions */
-    0xef93c087u, /* large regions */
-    0x16060117u, /* large regions */
-    0xa98a697fu, /* varied regions */
-    0x21de6b96u, /* varied regions */
-    0x33aff565u, /* varied regions */
-    0x5fdf0797u, /* varied regions */
-    0x0a003cc2u, /* varied regions */
-    0x667a358cu, /* varied regions */
-    0x40e2b119u, /* varied regions */
-    0xb3369783u, /* varied regions */
+    0x886255feu, /* regions */
+    0x749ead47u, /* regions */
+    0xf03f47adu, /* large regions */
+    0x1c638591u, /* large regions */
+    0x2c4730a3u, /* large regions */
+    0xa3df1e9au, /* varied regions */
+    0xa2119039u, /* varied regions */
+    0xd85b9221u, /* varied regions */
+    0xb7a17598u, /* varied regions */
+    0xbf714f97u, /* varied regions */
+    0x62b20569u, /* varied regions */
+    0x83096668u, /* varied regions */
+    0xb041b4ddu, /* varied regions */
     0x0204bf4fu, /* varied benchmark */
     0xcbbc743cu, /* varied benchmark */
     0x458fd4bdu, /* varied benchmark */
@@ -38,7 +38,7 @@ static const uint32_t pixel_table[] = {
     0x13d11984u, /* gallery */
     0xebf68937u, /* gallery */
     0x0f7f46feu, /* gallery */
-    0xa7498897u, /* gallery */
+    0x9b9d088eu, /* gallery */
 };
 
 #endif
