@@ -502,6 +502,11 @@ static inline int32_t find_longest(int32_t z, int32_t u, int32_t v) {
     return glint_least((int32_t)glint_leading_zeros(most | 1) - 2, LONG_SHIFT);
 }
 
+/* Triangles of fewer columns have pixels, not runs, and such of fewer rows look for no better size of runs; sixteenths.
+ */
+#define LEAST_COLUMNS 64
+#define LEAST_ROWS 128
+
 /* Begins with quotients; `indices` are those of a triangle that is clipped, else null. */
 static GLINT_NOINLINE void begin_quotients(const glint_row_walk *walk, const corner_coordinates *c,
                                            glint_texture_map *map, const uint16_t *indices, const uint8_t order[3]) {
@@ -521,8 +526,11 @@ static GLINT_NOINLINE void begin_quotients(const glint_row_walk *walk, const cor
     map->right = 0;
     const int32_t longest =
         find_longest(map->by.quotient.under.dx, map->by.quotient.over[0].dx, map->by.quotient.over[1].dx);
-    map->by.quotient.longest = 0;
-    if (longest >= SHORT_SHIFT) {
+    /* a run costs as much as two pixels and more */
+    const uint32_t width = glint_magnitude_bits(v[1]->x - v[0]->x) | glint_magnitude_bits(v[2]->x - v[0]->x),
+                   height = glint_magnitude_bits(v[1]->y - v[0]->y) | glint_magnitude_bits(v[2]->y - v[0]->y);
+    map->by.quotient.longest = longest < SHORT_SHIFT || width < LEAST_COLUMNS ? 0 : (uint8_t)longest;
+    if (map->by.quotient.longest && height >= LEAST_ROWS) {
         /* in the middle of the triangle: where other sizes serve, they are found */
         const int32_t column = glint_shift_right((v[0]->x + v[1]->x + v[2]->x) / 3, 4) - map->x,
                       row = glint_shift_right((v[0]->y + v[1]->y + v[2]->y) / 3 - walk->part->window.top, 4);
