@@ -8,18 +8,18 @@
 
 static const uint32_t pixel_table[] = {
     0x886255feu, /* regions */
-    0x749ead47u, /* regions */
+    0x4bb98827u, /* regions */
     0xf03f47adu, /* large regions */
     0x1c638591u, /* large regions */
     0x2c4730a3u, /* large regions */
     0xa3df1e9au, /* varied regions */
     0xa2119039u, /* varied regions */
-    0xd85b9221u, /* varied regions */
+    0xcc4233c1u, /* varied regions */
     0xb7a17598u, /* varied regions */
     0xbf714f97u, /* varied regions */
-    0x62b20569u, /* varied regions */
+    0xa82e25d9u, /* varied regions */
     0x83096668u, /* varied regions */
-    0xb041b4ddu, /* varied regions */
+    0x86ab7814u, /* varied regions */
     0x0204bf4fu, /* varied benchmark */
     0xcbbc743cu, /* varied benchmark */
     0x458fd4bdu, /* varied benchmark */
@@ -38,7 +38,7 @@ static const uint32_t pixel_table[] = {
     0x13d11984u, /* gallery */
     0xebf68937u, /* gallery */
     0x0f7f46feu, /* gallery */
-    0x9b9d088eu, /* gallery */
+    0x2a4026deu, /* gallery */
 };
 
 #endif

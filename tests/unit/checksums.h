@@ -22,7 +22,7 @@ static const uint32_t expected_checksums[] = {
     0xe07029a3u, /* pictures */
     0x82b74355u, /* pictures */
     0xf306ffb2u, /* pictures */
-    0x8babccccu, /* textures */
+    0x3489833au, /* textures */
     0x969b287eu, /* elementary_functions */
     0x79785263u, /* unit_vectors */
     0xb11aa47bu, /* poses */
