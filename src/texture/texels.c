@@ -89,7 +89,7 @@ static inline uint32_t read_in_loop(const uint32_t *from) {
     return *(const volatile uint32_t *)from;
 }
 
-/* What pixels of a span have beside texels. */
+/* The light and the highlights of a pixel step from column to column. */
 typedef struct span_light {
     glint_lanes light, gloss;
 } span_light;

@@ -4,9 +4,9 @@
  * Textures: which texel a pixel shows.
  *
  * Coordinates over w are linear on the screen, as 1/w is (Heckbert, 1989). Over small triangles coordinates are
- * quadratics on the screen: linear ones less their product with the change of 1/w. Over others they are divided at
- * every 32nd column of the screen, every eighth or each, and linear between. Neither tiles nor what is hidden change
- * that.
+ * quadratics on the screen: linear ones less their product with the change of 1/w. Over others they are divided
+ * once for each run of 4 to 32 aligned columns, in which they are quadratics of the column, or at each pixel. Neither
+ * tiles nor what is hidden change that.
  *
  * | quantity | format |
  * | --- | --- |
