@@ -5,10 +5,19 @@
  * column is close to the mean of the other two, colours are interpolated between nodes; elsewhere each fragment is lit.
  * The values of nodes alone decide, and do not depend on depth or on the border of a tile.
  */
-#include "cells.h"
-
 #include "../pixel/format.h"
 #include "../raster/depth.h"
+#include "room.h"
+#include "wear.h"
+
+/* The places in a node of the number of lights that its surface faces away from, and of highlights. */
+enum { FACED_AWAY = 3, HIGHLIGHT = 4 };
+
+#define COLOUR_BITS 14
+
+/* Half of GLINT_WORN_MARGIN, as nodes have half of their light; and the largest light that they hold, less than 2. */
+#define HALF_MARGIN (GLINT_WORN_MARGIN / 2)
+#define MOST_WORN ((1 << COLOUR_BITS) - HALF_MARGIN)
 
 /* Colours of dithered formats keep this margin in red and blue, as eight steps, each rounded to 2^-16, lose at most 5
  * times 2^-16. Green and luma are exact. */
@@ -21,6 +30,16 @@ void glint_keep_span(glint_row_walk *walk, int32_t row, int32_t left, int32_t ri
     while (list->bottom < (uint32_t)row)
         list->spans[list->bottom++] = (glint_span){0, 0};
     list->spans[list->bottom++] = (glint_span){(uint8_t)left, (uint8_t)right};
+}
+
+/* Finds the part of a row's cached span from column x to before `end`. @return 0 if there is none */
+static inline int clip_to_columns(const glint_lamp_list *list, uint32_t row, uint32_t x, uint32_t end, uint32_t *left,
+                                  uint32_t *right) {
+    if (row < list->top || row >= list->bottom)
+        return 0;
+    *left = list->spans[row].left > x ? list->spans[row].left : x;
+    *right = list->spans[row].right < end ? list->spans[row].right : end;
+    return *left < *right;
 }
 
 /* ---- Nodes ---- */
@@ -143,6 +162,58 @@ static int cell_is_saturated(const glint_cell_rows *r, uint32_t n) {
     return 0;
 }
 
+/* ---- Squares ---- */
+
+/* A channel of a square in the current row: its value at the first column, its change from column to column, and the
+ * changes of both from row to row; Q24. */
+typedef struct patch_channel {
+    int32_t value, step, value_down, step_down;
+} patch_channel;
+
+/* The channels of a square. */
+typedef struct patch {
+    patch_channel red, green, blue;
+} patch;
+
+/* Begins with the first row of a square of 2^bits pixels between four nodes: two above, two below. */
+static inline patch_channel begin_channel(const glint_cell_rows *r, int c, unsigned bits,
+                                          const int16_t *const node[4]) {
+    const int32_t most = r->most[c], up = 1 << (24 - COLOUR_BITS);
+    const int32_t v = glint_least(node[0][c], most), right = glint_least(node[1][c], most) - v,
+                  below = glint_least(node[2][c], most) - v, across = glint_least(node[3][c], most) - v - right - below;
+    return (patch_channel){v * up, glint_shift_right(right * up, bits), glint_shift_right(below * up, bits),
+                           glint_shift_right(across * up, 2 * bits)};
+}
+
+static inline patch begin_patch(const glint_cell_rows *r, unsigned bits, const int16_t *a, const int16_t *b,
+                                const int16_t *below_a, const int16_t *below_b) {
+    const int16_t *const node[4] = {a, b, below_a, below_b};
+    return (patch){begin_channel(r, 0, bits, node), begin_channel(r, 1, bits, node), begin_channel(r, 2, bits, node)};
+}
+
+static inline void step_channel(patch_channel *channel) {
+    channel->value += channel->value_down;
+    channel->step += channel->step_down;
+}
+
+static inline void step_patch(patch *p) {
+    step_channel(&p->red);
+    step_channel(&p->green);
+    step_channel(&p->blue);
+}
+
+/* Sets the lanes of a row of a square, from column x on, and their change from column to column. */
+static inline void set_patch_lanes(const patch *p, uint32_t x, glint_lanes to[2]) {
+    const uint32_t red_blue = ((uint32_t)glint_shift_right(p->blue.step + (1 << 7), 8) << 16) +
+                              (uint32_t)glint_shift_right(p->red.step + (1 << 7), 8),
+                   green_step = (uint32_t)p->green.step << 8;
+    to[1].red_blue = red_blue;
+    to[1].green = green_step;
+    to[0].red_blue = ((uint32_t)glint_shift_right(p->blue.value, 8) << 16) +
+                     (uint32_t)glint_shift_right(p->red.value, 8) - red_blue * x;
+    to[0].green = ((uint32_t)p->green.value << 8) - green_step * x;
+}
+
 /* Draws the parts of cached spans in a square of 2^bits x 2^bits pixels, with colours interpolated between its four
  * nodes. */
 static GLINT_HOT void draw_patch(const glint_cell_rows *r, uint32_t x, uint32_t y, unsigned bits, const int16_t *a,
@@ -161,6 +232,74 @@ static GLINT_HOT void draw_patch(const glint_cell_rows *r, uint32_t x, uint32_t 
             smooth(walk, (int32_t)row, (int32_t)left, (int32_t)right);
         }
         step_patch(&colour);
+    }
+}
+
+/* ---- Where a texture multiplies light ---- */
+
+/* Returns half of a channel of light that is in levels of so many bits, Q27. */
+static inline int16_t half_of_light(int32_t channel, uint32_t bits) {
+    /* 1 over the largest level as a part of 1, Q15 */
+    static const uint32_t over_largest[9] = {32768, 65536, 43691, 37449, 34953, 33825, 33288, 33026, 32896};
+    const int32_t half = glint_least((int32_t)(((uint32_t)glint_most(channel, 0) + (1u << 13)) >> 14), MOST_WORN);
+    return (int16_t)glint_least((int32_t)((uint32_t)half * over_largest[bits] >> 15) + HALF_MARGIN, MOST_WORN);
+}
+
+/* Sets node n of a row from a fragment whose light is to be multiplied by a texture. */
+void glint_set_worn_node(glint_cell_rows *r, int k, uint32_t n, const glint_lit_fragment *f) {
+    const int32_t gloss[3] = {(int32_t)f->out.pixel, f->inverse_w, (int32_t)f->square};
+    const uint8_t *const bits = r->walk->frame->config.format->channel;
+    int16_t *const to = r->row[k][n];
+    for (int c = 0; c < 3; c++) {
+        to[c] = half_of_light(f->out.colour[c], bits[c]);
+        to[HIGHLIGHT + c] = half_of_light(gloss[c], bits[c]);
+        r->above[k] |= (uint32_t)(to[c] == MOST_WORN) << n;
+    }
+    to[FACED_AWAY] = f->unseen;
+    r->known[k] |= 1u << n;
+}
+
+/* Returns whether a node has highlights, or light above 1. */
+static inline int glows(const int16_t *node) {
+    return glint_most_of(node[HIGHLIGHT], node[HIGHLIGHT + 1], node[HIGHLIGHT + 2]) > HALF_MARGIN ||
+           glint_most_of(node[0], node[1], node[2]) > (1 << 13) + HALF_MARGIN;
+}
+
+/* Begins light or highlights of a square. This is out of line: what it uses of the stack is free again then. */
+static GLINT_NOINLINE void begin_node_light(patch *to, const glint_cell_rows *r, unsigned bits, int place,
+                                            const int16_t *const node[4]) {
+    *to = begin_patch(r, bits, node[0] + place, node[1] + place, node[2] + place, node[3] + place);
+}
+
+/* Sets the lanes of a row of a square, as set_patch_lanes does, and steps to the next row. Out of line for the stack.
+ */
+static GLINT_NOINLINE void step_node_light(patch *p, uint32_t x, glint_lanes to[2]) {
+    set_patch_lanes(p, x, to);
+    step_patch(p);
+}
+
+/* Does what draw_patch does, where a texture is to multiply light. */
+GLINT_HOT void glint_draw_worn_patch(const glint_cell_rows *r, uint32_t x, uint32_t y, unsigned bits, const int16_t *a,
+                                     const int16_t *b, const int16_t *below_a, const int16_t *below_b) {
+    glint_row_walk *walk = r->walk;
+    const glint_lamp_list *list = walk->list;
+    const glint_texture_stage *stage = walk->draw->texture->type->stage;
+    const int is_glowing = glows(a) || glows(b) || glows(below_a) || glows(below_b);
+    const int16_t *const node[4] = {a, b, below_a, below_b};
+    patch light, gloss;
+    begin_node_light(&light, r, bits, 0, node);
+    if (is_glowing)
+        begin_node_light(&gloss, r, bits, HIGHLIGHT, node);
+    walk->lanes[2] = (glint_lanes){0, 0};
+    walk->draw_span = is_glowing ? stage->glowing : stage->smooth;
+    glint_leave_holes(walk);
+    for (uint32_t row = y; row < y + (1u << bits); row++) {
+        uint32_t left, right;
+        step_node_light(&light, x, walk->lanes);
+        if (is_glowing)
+            step_node_light(&gloss, x, walk->gloss);
+        if (clip_to_columns(list, row, x, x + (1u << bits), &left, &right))
+            walk->draw_span(walk, (int32_t)row, (int32_t)left, (int32_t)right);
     }
 }
 

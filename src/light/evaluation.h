@@ -52,11 +52,12 @@ static GLINT_INLINE const uint8_t *glint_corner_order(uint32_t top) {
 int glint_bend_slopes(const glint_row_walk *walk, glint_slopes *slopes, const int16_t *a, const int16_t *b,
                       const int16_t *c);
 
-/** Begins with the colours of a triangle's corners, once the depth has been begun, and chooses what draws spans. */
-void glint_begin_interpolated(glint_row_walk *walk);
+/** Begins with the colours of a triangle's corners, once the depth has been begun, and chooses what draws spans. A
+ * texture asks for this; it is linked where surfaces have light. */
+void glint_begin_interpolated(glint_row_walk *walk) GLINT_IF_LINKED;
 
-/** Divides the colour at a pixel, 1 = GLINT_COLOUR_ONE. */
-void glint_divide_at(const glint_row_walk *walk, int32_t row, int32_t column, int16_t colour[3]);
+/** Divides the colour at a pixel, 1 = GLINT_COLOUR_ONE. Linked likewise. */
+void glint_divide_at(const glint_row_walk *walk, int32_t row, int32_t column, int16_t colour[3]) GLINT_IF_LINKED;
 
 /** Draws a triangle in the colour of its facet. */
 void glint_draw_facet(glint_row_walk *walk);

@@ -18,6 +18,11 @@ struct glint_lit_fragment;
 /** Draws the parts of cached spans in a square of 2^bits x 2^bits pixels between four nodes. */
 typedef void glint_draw_patch(const struct glint_cell_rows *r, uint32_t x, uint32_t y, unsigned bits, const int16_t *a,
                               const int16_t *b, const int16_t *below_a, const int16_t *below_b);
+glint_draw_patch glint_draw_worn_patch GLINT_IF_LINKED;
+
+/** Sets node n of a row of cells from a fragment whose light is to be multiplied by a texture. */
+typedef void glint_set_cell_node(struct glint_cell_rows *r, int k, uint32_t n, const struct glint_lit_fragment *f);
+glint_set_cell_node glint_set_worn_node GLINT_IF_LINKED;
 
 /** This stage is linked with any type of a texture. */
 typedef struct glint_texture_stage {
@@ -39,8 +44,8 @@ typedef struct glint_texture_stage {
     glint_multiply_words *multiply;
     /** Returns what draws the spans of a triangle under one sun in one loop, or null. */
     glint_draw_span *(*choose_sun)(const glint_row_walk *walk);
-    /** Sets node n of a row of cells from a fragment whose light is to be multiplied, and draws a square of cells. */
-    void (*set_node)(struct glint_cell_rows *r, int k, uint32_t n, const struct glint_lit_fragment *f);
+    /** Cells are linked with light at fragments: these are null elsewhere. */
+    glint_set_cell_node *set_node;
     glint_draw_patch *draw_patch;
 } glint_texture_stage;
 

@@ -107,10 +107,6 @@ static inline uint32_t glint_texel_row(const glint_texture_map *map, int32_t y) 
     return (uint32_t)(map->beyond[1] ? glint_least(glint_most(y, 0), last) : y & last) * map->texture->width;
 }
 
-/** Set a node and draw a square of cells: glint_texture_stage. */
-void glint_set_worn_node(struct glint_cell_rows *r, int k, uint32_t n, const struct glint_lit_fragment *f);
-glint_draw_patch glint_draw_worn_patch;
-
 extern const glint_texture_stage glint_textures;
 
 #endif

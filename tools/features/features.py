@@ -103,6 +103,7 @@ SUNS = ("sun_setup", "sun_lists", "sun_fine", "sun_spans", "sun_small", "ramps")
 PER_FRAGMENT = ("lamps", "cells", "reflect", "arrive", "suns", "sun_vectors") + SUNS
 PER_CORNER = ("corners", "reach")
 LEFT_OUT = {"": PER_CORNER + TEXTURE, "Lambert": PER_CORNER + ("power",), "unlit": PER_FRAGMENT + PER_CORNER + ("draw", "power"),
+            "RGB565 texels": PER_CORNER, "RGB565 texels, unlit": PER_FRAGMENT + PER_CORNER + ("draw", "power"),
             "per vertex": PER_FRAGMENT, "per facet": PER_FRAGMENT, "point": SUNS + PER_CORNER, "spot": SUNS + PER_CORNER}
 
 # What stands in place of something that the base names; firmware that has both takes more flash.
