@@ -52,19 +52,18 @@ typedef struct glint_texture_stage {
 /** Returns a texel of given number. */
 typedef uint32_t glint_read_texel(const void *texels, const uint16_t *palette, uint32_t number);
 
+/** Texels show as they are, times walk->lanes, or that plus walk->gloss. */
+enum { TEXELS_UNLIT, TEXELS_SHADED, TEXELS_GLOWING, TEXELS_KINDS };
+
 struct glint_texture_type {
     uint8_t bits; /* of a texel */
     uint8_t has_palette;
     glint_read_texel *read; /* as it is stored */
     /** Finds the colour at coordinates, 1 = GLINT_COLOUR_ONE. */
     void (*sample)(const struct glint_texture_map *map, uint32_t u, uint32_t v, int16_t colour[3]);
-    /** Draw spans of RGB565 as the texels are, as they are and with swapped bytes; null where texels have other
-     * colours. */
-    glint_draw_span *draw[2];
-    /** Draw spans of RGB565 of nearest texels of a texture that repeats, times walk->lanes, and that plus walk->gloss,
-     * likewise;
-     * null where texels have other colours. */
-    glint_draw_span *shade[2], *glow[2];
+    /** Draw spans of RGB565 of each kind from the nearest texels of a texture that repeats, with bytes as they are and
+     * swapped; and of walk->map's kind between four texels. Null where texels have other colours. */
+    glint_draw_span *spans[TEXELS_KINDS][2], *mixed;
     /** Draw spans of RGB565 of such texels under one sun, as glint_draw_sun_list does; null in a library built for
      * size.
      */

@@ -9,7 +9,7 @@
 
 /* Coordinates of a triangle: those of the first corner, and the differences of the others, 2^32 being a width. */
 typedef struct corner_coordinates {
-    uint32_t first[2];
+    int64_t first[2];
     int64_t to[2][2];
     uint64_t most[2]; /* the larger magnitude of the differences */
 } corner_coordinates;
@@ -27,7 +27,7 @@ static void find_coordinates_of(const glint_mesh *mesh, const uint16_t number[3]
                          *const c = mesh->texture_coordinates[number[2]];
     for (int k = 0; k < 2; k++) {
         const int32_t extent = mesh->texture_extent[k];
-        to->first[k] = ((uint32_t)mesh->texture_offset[k] << 16) + 2 * (uint32_t)extent * (uint32_t)a[k];
+        to->first[k] = (int64_t)mesh->texture_offset[k] * (1 << 16) + 2 * glint_product(extent, a[k]);
         to->to[0][k] = 2 * glint_product(extent, b[k] - a[k]);
         to->to[1][k] = 2 * glint_product(extent, c[k] - a[k]);
         const uint64_t most_b = glint_magnitude64(to->to[0][k]), most_c = glint_magnitude64(to->to[1][k]);
@@ -37,45 +37,36 @@ static void find_coordinates_of(const glint_mesh *mesh, const uint16_t number[3]
 
 /* ---- Edges ---- */
 
-/* Returns a coordinate of a vertex, 2^-32 of the width or height. */
-static int64_t coordinate_of(const glint_mesh *mesh, int k, uint32_t number) {
-    return (int64_t)mesh->texture_offset[k] * (1 << 16) +
-           2 * glint_product(mesh->texture_extent[k], mesh->texture_coordinates[number][k]);
-}
-
 /* Leaves a coordinate out: in textures of one column or row it has no bits. */
 static GLINT_NOINLINE void leave_out(corner_coordinates *c, int k) {
     int32_t none = 0;
     GLINT_OPAQUE(none); /* else compilers store zeros from a register of the FPU */
-    c->first[k] = (uint32_t)none;
+    c->first[k] = none;
     c->to[0][k] = c->to[1][k] = none;
     c->most[k] = (uint64_t)none;
 }
 
 /* Divides coordinates of a texture that does not repeat by a power of two, so that they fit with their signs, and have
  * room beyond the corners'. */
-static GLINT_NOINLINE void clamp_coordinates(glint_texture_map *map, const glint_mesh *mesh, const uint16_t number[3],
-                                             corner_coordinates *c, int k) {
-    uint64_t all = (uint64_t)1 << 32;
-    for (int i = 0; i < 3; i++)
-        all |= glint_magnitude64(coordinate_of(mesh, k, number[i]));
+static GLINT_NOINLINE void clamp_coordinates(glint_texture_map *map, corner_coordinates *c, int k) {
+    const uint64_t all = (uint64_t)1 << 32 | glint_magnitude64(c->first[k]) |
+                         glint_magnitude64(c->first[k] + c->to[0][k]) | glint_magnitude64(c->first[k] + c->to[1][k]);
     const unsigned by = glint_bits64(all) - 30;
     map->beyond[k] = (uint8_t)by;
-    c->first[k] = (uint32_t)glint_shift_right64(coordinate_of(mesh, k, number[0]), by);
+    c->first[k] = glint_shift_right64(c->first[k], by);
     c->to[0][k] = glint_shift_right64(c->to[0][k], by);
     c->to[1][k] = glint_shift_right64(c->to[1][k], by);
 }
 
 /* Begins the edges of a texture. */
-static void begin_edges(glint_texture_map *map, const glint_material *material, const glint_mesh *mesh,
-                        const uint16_t number[3], corner_coordinates *c) {
+static void begin_edges(glint_texture_map *map, const glint_material *material, corner_coordinates *c) {
     map->is_bilinear = (material->flags & GLINT_MATERIAL_BILINEAR) != 0;
     map->is_plain = !(material->flags & (GLINT_MATERIAL_CLAMP | GLINT_MATERIAL_BILINEAR));
     for (int k = 0; k < 2; k++) {
         const uint32_t size = k ? map->texture->height : map->texture->width;
         map->beyond[k] = 0;
         if (material->flags & GLINT_MATERIAL_CLAMP)
-            clamp_coordinates(map, mesh, number, c, k);
+            clamp_coordinates(map, c, k);
         map->to_texels[k] = (int8_t)((int32_t)glint_leading_zeros(size) - 7 - map->beyond[k]);
         if (size == 1)
             leave_out(c, k);
@@ -138,7 +129,7 @@ static int set_texture_quadratic(const glint_slopes *s, const corner_coordinates
                   hy = (int32_t)glint_weigh(g[0], s->y1, g[1], s->y2);
     const int32_t e1 = d1 + glint_shift_right(glint_shift_right(d1, 3) * glint_shift_right(g[0], 1), 12),
                   e2 = d2 + glint_shift_right(glint_shift_right(d2, 3) * glint_shift_right(g[1], 1), 12);
-    to->value = c->first[k] + glint_weigh(e1, s->start1, e2, s->start2) - multiply_changes(l, h);
+    to->value = (uint32_t)c->first[k] + glint_weigh(e1, s->start1, e2, s->start2) - multiply_changes(l, h);
     to->x = glint_weigh(e1, s->x1, e2, s->x2) - multiply_changes(l, hx) - multiply_changes(lx, h);
     to->y = glint_weigh(e1, s->y1, e2, s->y2) - multiply_changes(l, hy) - multiply_changes(ly, h);
     to->xx = 0u - multiply_changes(lx, hx);
@@ -218,11 +209,14 @@ static GLINT_NOINLINE void find_by_areas(const glint_row_walk *walk, const corne
     }
 }
 
-/* Sets the cross product of two positions: its product with a ray is the weight of the third corner, over w. */
-static void cross_positions(const int32_t a[3], const int32_t b[3], int64_t to[3]) {
-    to[0] = glint_product(a[1], b[2]) - glint_product(a[2], b[1]);
-    to[1] = glint_product(a[2], b[0]) - glint_product(a[0], b[2]);
-    to[2] = glint_product(a[0], b[1]) - glint_product(a[1], b[0]);
+/* Sets the cross product of the positions of two corners: its product with a ray is the weight of the third, over w. */
+static GLINT_NOINLINE void cross_positions(int32_t p[3][3], int third, int64_t to[3]) {
+    const uint8_t *const order = glint_corner_order((uint32_t)third);
+    const int32_t *const a = p[order[1]], *const b = p[order[2]];
+    for (int j = 0; j < 3; j++) {
+        const uint8_t *const axis = glint_corner_order((uint32_t)j);
+        to[j] = glint_product(a[axis[1]], b[axis[2]]) - glint_product(a[axis[2]], b[axis[1]]);
+    }
 }
 
 /* Rays have x and y in sixteenths from the screen's centre, and as z the guard band. */
@@ -246,13 +240,13 @@ static GLINT_NOINLINE void find_by_rays(const glint_row_walk *walk, const corner
         p[i][2] = draw->transform.clips & GLINT_PARALLEL ? draw->transform.nearest : from->w;
     }
     for (int i = 0; i < 3; i++) {
-        cross_positions(p[(i + 1) % 3], p[(i + 2) % 3], n);
+        cross_positions(p, i, n);
         for (int j = 0; j < 3; j++)
             all |= glint_magnitude64(n[j]);
     }
     const unsigned bits = glint_bits64(all), down = bits > 29 ? bits - 29 : 0;
     for (int i = 0; i < 3; i++) {
-        cross_positions(p[(i + 1) % 3], p[(i + 2) % 3], n); /* again: all nine would be much of the stack */
+        cross_positions(p, i, n); /* again: all nine would be much of the stack */
         for (int j = 0; j < 3; j++)
             weight[i][j] = (int32_t)glint_shift_right64(n[j], down);
     }
@@ -519,8 +513,8 @@ static GLINT_NOINLINE void begin_quotients(const glint_row_walk *walk, const cor
         find_by_areas(walk, c, map, corners, &planes);
     }
     set_map_planes(walk, &planes, map);
-    map->by.quotient.first[0] = c->first[0];
-    map->by.quotient.first[1] = c->first[1];
+    map->by.quotient.first[0] = (uint32_t)c->first[0];
+    map->by.quotient.first[1] = (uint32_t)c->first[1];
     map->by.quotient.up[0] = (uint8_t)(map->by.quotient.up[0] + 2); /* quotients are Q28 */
     map->by.quotient.up[1] = (uint8_t)(map->by.quotient.up[1] + 2);
     map->right = 0;
@@ -571,7 +565,7 @@ static GLINT_NOINLINE void begin_coordinates(const glint_row_walk *walk, glint_t
     find_coordinates_of(object->mesh, number, c);
     if (map->texture->smaller && !is_clipped)
         choose_level(walk, c, map);
-    begin_edges(map, object->material, object->mesh, number, c);
+    begin_edges(map, object->material, c);
 }
 
 void glint_begin_map(const glint_row_walk *walk, glint_texture_map *map) {

@@ -26,41 +26,70 @@ static inline uint32_t palette16_at(const void *texels, const uint16_t *palette,
     return palette[nibble_at(texels, palette, number)];
 }
 
-/* The sums of the channels of texels: red and blue in the halves of a word, 5 bits each, and green, 6 bits, or grey, 8
- * bits; times weights. */
+/* ---- Between texels ---- */
+
+/* The channels of colours times weights, 2^-10 in all: red and blue in the halves of a word, 5 bits each, and green, 6
+ * bits, or grey, 8 bits. */
 typedef struct texel_sum {
     uint32_t red_blue, green;
 } texel_sum;
 
-static inline void add_texel(texel_sum *sum, uint32_t texel, uint32_t weight, int is_grey) {
-    if (!is_grey)
-        sum->red_blue += ((texel & 0xf800) << 5 | (texel & 31)) * weight;
-    sum->green += (is_grey ? texel : texel >> 5 & 63) * weight;
+/* A square of four texels: the numbers of two columns, and of the first texels of two rows; and a place in it, 5 bits
+ * in each direction. */
+typedef struct texel_square {
+    uint32_t left, right, above, below, across, down;
+} texel_square;
+
+/* Returns a mixture of two numbers or packed channels, times 32, by 32nds of the second one. */
+static inline uint32_t mix(uint32_t a, uint32_t b, uint32_t part) {
+    return (a << 5) + (b - a) * part;
 }
 
-/* Finds a colour by up to four texels, which are words of RGB565, or of grey. A place between four texels has 5 bits in
- * each direction, so that weights sum up to 2^10. */
+/* Returns the channels of a colour so far apart that each has room for 5 bits more: blue, red, green. */
+static inline uint32_t spread_texel(uint32_t colour) {
+    return (colour | colour << 16) & 0x07e0f81f;
+}
+
+/* Returns red and blue of such a mixture, in the halves of a word. */
+static inline uint32_t red_blue_of(uint32_t mixed) {
+    return (mixed & 0x1ff800) << 5 | (mixed & 0x3ff);
+}
+
+/* Finds the sums at a place between four texels. */
+static inline texel_sum mix_texels(const texel_square *q, const void *texels, const uint16_t *palette,
+                                   glint_read_texel *at, int is_grey) {
+    const uint32_t a = at(texels, palette, q->above + q->left), b = at(texels, palette, q->above + q->right),
+                   c = at(texels, palette, q->below + q->left), d = at(texels, palette, q->below + q->right);
+    if (is_grey)
+        return (texel_sum){0, mix(mix(a, b, q->across), mix(c, d, q->across), q->down)};
+    const uint32_t above = mix(spread_texel(a), spread_texel(b), q->across),
+                   below = mix(spread_texel(c), spread_texel(d), q->across);
+    return (texel_sum){mix(red_blue_of(above), red_blue_of(below), q->down), mix(above >> 21, below >> 21, q->down)};
+}
+
+/* The middle of a texel, less half of the last bit of a place, 2^-8. */
+#define MIDDLE 124
+
+/* Finds a colour by up to four texels, which are words of RGB565, or of grey. */
 static GLINT_SPECIAL void sample_texels(const glint_texture_map *map, uint32_t u, uint32_t v, int16_t colour[3],
                                         glint_read_texel *at, int is_grey) {
     const void *const texels = map->texture->texels;
     const uint16_t *const palette = map->texture->palette;
-    texel_sum sum = {0, 0};
     int32_t x = glint_texel_position(map, 0, u), y = glint_texel_position(map, 1, v);
+    texel_sum sum;
     if (map->is_bilinear) {
-        x = glint_shift_right(x - 124, 3), y = glint_shift_right(y - 124, 3);
-        const int32_t column = glint_shift_right(x, 5), row = glint_shift_right(y, 5);
-        const uint32_t left = glint_texel_column(map, column), right = glint_texel_column(map, column + 1),
-                       above = glint_texel_row(map, row), below = glint_texel_row(map, row + 1),
-                       across = (uint32_t)x & 31, down = (uint32_t)y & 31, both = across * down;
-        add_texel(&sum, at(texels, palette, above + left), 1024 - 32 * (across + down) + both, is_grey);
-        add_texel(&sum, at(texels, palette, above + right), 32 * across - both, is_grey);
-        add_texel(&sum, at(texels, palette, below + left), 32 * down - both, is_grey);
-        add_texel(&sum, at(texels, palette, below + right), both, is_grey);
+        x -= MIDDLE, y -= MIDDLE;
+        const int32_t column = glint_shift_right(x, 8), row = glint_shift_right(y, 8);
+        const texel_square q = {glint_texel_column(map, column), glint_texel_column(map, column + 1),
+                                glint_texel_row(map, row),       glint_texel_row(map, row + 1),
+                                (uint32_t)x >> 3 & 31,           (uint32_t)y >> 3 & 31};
+        sum = mix_texels(&q, texels, palette, at, is_grey);
     } else {
-        add_texel(&sum,
-                  at(texels, palette,
-                     glint_texel_column(map, glint_shift_right(x, 8)) + glint_texel_row(map, glint_shift_right(y, 8))),
-                  1024, is_grey);
+        const uint32_t texel =
+            at(texels, palette,
+               glint_texel_column(map, glint_shift_right(x, 8)) + glint_texel_row(map, glint_shift_right(y, 8)));
+        sum = is_grey ? (texel_sum){0, texel << 10}
+                      : (texel_sum){(texel & 0xf800) << 15 | (texel & 31) << 10, (texel >> 5 & 63) << 10};
     }
     if (is_grey) {
         colour[0] = colour[1] = colour[2] = (int16_t)(sum.green * 257 >> 11);
@@ -71,18 +100,31 @@ static GLINT_SPECIAL void sample_texels(const glint_texture_map *map, uint32_t u
     }
 }
 
-/* Multiplies a channel by light, and adds highlights: lanes have half of both and a margin. Neither exceeds `most`. */
-static inline uint32_t shade_channel(uint32_t level, uint32_t light) {
-    return (uint32_t)((int32_t)level * (int32_t)(light - 2 * GLINT_WORN_MARGIN) + (1 << 14)) >> 15;
+/* ---- Spans of RGB565 ---- */
+
+/* A colour's levels, 5, 6 and 5 bits, times 2^bits. */
+typedef struct texel_levels {
+    uint32_t red, green, blue;
+} texel_levels;
+
+static inline texel_levels levels_of_texel(uint32_t colour) {
+    return (texel_levels){colour >> 11, colour >> 5 & 63, colour & 31};
 }
-static inline uint32_t glow_channel(uint32_t level, uint32_t light, uint32_t gloss, int32_t most) {
-    const int32_t margin = 2 * GLINT_WORN_MARGIN,
-                  sum = (int32_t)level * ((int32_t)light - margin) + most * ((int32_t)gloss - margin) + (1 << 14);
-    return (uint32_t)glint_least(glint_most(glint_shift_right(sum, 15), 0), most);
+#define MIXED_BITS 5 /* of sums of four texels */
+static inline texel_levels levels_of_sum(const texel_sum *sum) {
+    return (texel_levels){sum->red_blue >> (26 - MIXED_BITS), sum->green >> (10 - MIXED_BITS),
+                          (sum->red_blue & 0xffff) >> (10 - MIXED_BITS)};
 }
 
-/* Texels show as they are, times walk->lanes, or that plus walk->gloss. */
-enum { TEXELS_UNLIT, TEXELS_SHADED, TEXELS_GLOWING };
+/* Multiply a channel by light, and add highlights: lanes have half of both and a margin. Neither exceeds `most`. */
+static inline uint32_t shade_channel(uint32_t level, uint32_t light, unsigned bits) {
+    return (uint32_t)((int32_t)level * (int32_t)(light - 2 * GLINT_WORN_MARGIN) + (1 << (14 + bits))) >> (15 + bits);
+}
+static inline uint32_t glow_channel(uint32_t level, uint32_t light, uint32_t gloss, int32_t most, unsigned bits) {
+    const int32_t margin = 2 * GLINT_WORN_MARGIN, sum = (int32_t)level * ((int32_t)light - margin) +
+                                                        (most << bits) * ((int32_t)gloss - margin) + (1 << (14 + bits));
+    return (uint32_t)glint_least(glint_most(glint_shift_right(sum, 15 + bits), 0), most);
+}
 
 /* Reads a number at each pixel that would take a register from one that is used more often. */
 static inline uint32_t read_in_loop(const uint32_t *from) {
@@ -94,29 +136,64 @@ typedef struct span_light {
     glint_lanes light, gloss;
 } span_light;
 
+/* Finds the sums at coordinates, less MIDDLE, of a texture that repeats. */
+static inline texel_sum mix_repeated(const glint_texture_map *map, const void *texels, const uint16_t *palette,
+                                     uint32_t last, uint32_t u, uint32_t v, glint_read_texel *at) {
+    const uint32_t left = u >> map->across & last, above = v >> map->down & map->rows;
+    const texel_square q = {left,
+                            (left + 1) & last,
+                            above,
+                            (above + last + 1) & map->rows,
+                            u >> (map->to_texels[0] + 3) & 31,
+                            v >> (map->to_texels[1] + 3) & 31};
+    return mix_texels(&q, texels, palette, at, 0);
+}
+
+/* Returns a colour in light. */
+static inline uint32_t light_levels(const texel_levels *c, const span_light *l, int kind, unsigned bits) {
+    if (kind == TEXELS_UNLIT) {
+        const uint32_t half = 1u << bits >> 1;
+        return (c->red + half) >> bits << 11 | (c->green + half) >> bits << 5 | (c->blue + half) >> bits;
+    }
+    if (kind == TEXELS_SHADED)
+        return shade_channel(c->red, l->light.red_blue & 0xffff, bits) << 11 |
+               shade_channel(c->green, l->light.green >> 16, bits) << 5 |
+               shade_channel(c->blue, l->light.red_blue >> 16, bits);
+    return glow_channel(c->red, l->light.red_blue & 0xffff, l->gloss.red_blue & 0xffff, 31, bits) << 11 |
+           glow_channel(c->green, l->light.green >> 16, l->gloss.green >> 16, 63, bits) << 5 |
+           glow_channel(c->blue, l->light.red_blue >> 16, l->gloss.red_blue >> 16, 31, bits);
+}
+
 /* Draws a run of RGB565 from texels of a type that has such colours. */
 static GLINT_INLINE void draw_texel_run(const glint_row_walk *walk, uint16_t *depth, const uint16_t *end, uint32_t z,
-                                        span_light *l, glint_read_texel *at, int swaps, int kind, int is_bent) {
+                                        span_light *l, glint_read_texel *at, int swaps, int kind, int is_bent,
+                                        int is_mixed) {
     const glint_texture_map *const map = walk->map;
     const void *const texels = map->texture->texels;
     const uint16_t *const palette = map->texture->palette;
     const uintptr_t from_depth = (uintptr_t)walk->pixels - (uintptr_t)walk->depth;
-    const uint32_t dz = (uint32_t)walk->z.dx;
+    const uint32_t dz = (uint32_t)walk->z.dx, last = map->texture->width - 1u;
     glint_stepped_quadratic u = map->at[0], v = map->at[1];
+    if (is_mixed) {
+        u.value -= (uint32_t)MIDDLE << map->to_texels[0];
+        v.value -= (uint32_t)MIDDLE << map->to_texels[1];
+    }
     do {
         uint32_t here = z >> 15;
         GLINT_OPAQUE(here); /* else compilers compute it twice */
         if (here > *depth) {
-            uint32_t colour = at(texels, palette, glint_texel_number(map, u.value, v.value));
+            uint32_t colour;
+            if (is_mixed) {
+                const texel_sum sum = mix_repeated(map, texels, palette, last, u.value, v.value, at);
+                const texel_levels levels = levels_of_sum(&sum);
+                colour = light_levels(&levels, l, kind, MIXED_BITS);
+            } else {
+                colour = at(texels, palette, glint_texel_number(map, u.value, v.value));
+                const texel_levels levels = levels_of_texel(colour);
+                if (kind != TEXELS_UNLIT)
+                    colour = light_levels(&levels, l, kind, 0);
+            }
             *depth = (uint16_t)here;
-            if (kind == TEXELS_SHADED)
-                colour = shade_channel(colour >> 11, l->light.red_blue & 0xffff) << 11 |
-                         shade_channel(colour >> 5 & 63, l->light.green >> 16) << 5 |
-                         shade_channel(colour & 31, l->light.red_blue >> 16);
-            else if (kind == TEXELS_GLOWING)
-                colour = glow_channel(colour >> 11, l->light.red_blue & 0xffff, l->gloss.red_blue & 0xffff, 31) << 11 |
-                         glow_channel(colour >> 5 & 63, l->light.green >> 16, l->gloss.green >> 16, 63) << 5 |
-                         glow_channel(colour & 31, l->light.red_blue >> 16, l->gloss.red_blue >> 16, 31);
             *(uint16_t *)((uintptr_t)depth + from_depth) = (uint16_t)(swaps ? glint_to_high_first(colour) : colour);
         }
         z += dz;
@@ -135,7 +212,7 @@ static GLINT_INLINE void draw_texel_run(const glint_row_walk *walk, uint16_t *de
 
 /* Draws a span. */
 static GLINT_SPECIAL void draw_texel_span(const glint_row_walk *walk, int32_t row, int32_t left, int32_t right,
-                                          glint_read_texel *at, int swaps, int kind) {
+                                          glint_read_texel *at, int swaps, int kind, int is_mixed) {
     glint_texture_map *const map = walk->map;
     uint16_t *depth = walk->depth + ((uint32_t)row << walk->shift) + left;
     span_light l = {{0, 0}, {0, 0}};
@@ -149,10 +226,10 @@ static GLINT_SPECIAL void draw_texel_span(const glint_row_walk *walk, int32_t ro
         const int32_t stop = glint_least(map->right, right);
         uint16_t *const end = depth + (stop - left);
         left = stop;
-        if (kind == TEXELS_UNLIT && !GLINT_SMALL && !(map->bend[0] | map->bend[1]))
-            draw_texel_run(walk, depth, end, z, &l, at, swaps, kind, 0);
+        if (kind == TEXELS_UNLIT && !is_mixed && !GLINT_SMALL && !(map->bend[0] | map->bend[1]))
+            draw_texel_run(walk, depth, end, z, &l, at, swaps, kind, 0, 0);
         else
-            draw_texel_run(walk, depth, end, z, &l, at, swaps, kind, 1);
+            draw_texel_run(walk, depth, end, z, &l, at, swaps, kind, 1, is_mixed);
         depth = end;
     } while (left < right);
 }
@@ -263,17 +340,19 @@ DEFINE_MULTIPLY(rgb565)
 DEFINE_MULTIPLY(palette256)
 DEFINE_MULTIPLY(palette16)
 
-#define DEFINE_DRAW(name, type, swaps, kind)                                                              \
+#define DEFINE_DRAW(name, type, swaps, kind, is_mixed)                                                    \
     static GLINT_HOT void name##_##type(glint_row_walk *walk, int32_t row, int32_t left, int32_t right) { \
-        draw_texel_span(walk, row, left, right, type##_at, swaps, kind);                                  \
+        draw_texel_span(walk, row, left, right, type##_at, swaps, kind, is_mixed);                        \
     }
-#define DEFINE_DRAWS(type)                        \
-    DEFINE_DRAW(draw, type, 0, TEXELS_UNLIT)      \
-    DEFINE_DRAW(draw_be, type, 1, TEXELS_UNLIT)   \
-    DEFINE_DRAW(shade, type, 0, TEXELS_SHADED)    \
-    DEFINE_DRAW(shade_be, type, 1, TEXELS_SHADED) \
-    DEFINE_DRAW(glow, type, 0, TEXELS_GLOWING)    \
-    DEFINE_DRAW(glow_be, type, 1, TEXELS_GLOWING)
+/* Between texels pixels take so long that one function draws them all. */
+#define DEFINE_DRAWS(type)                           \
+    DEFINE_DRAW(draw, type, 0, TEXELS_UNLIT, 0)      \
+    DEFINE_DRAW(draw_be, type, 1, TEXELS_UNLIT, 0)   \
+    DEFINE_DRAW(shade, type, 0, TEXELS_SHADED, 0)    \
+    DEFINE_DRAW(shade_be, type, 1, TEXELS_SHADED, 0) \
+    DEFINE_DRAW(glow, type, 0, TEXELS_GLOWING, 0)    \
+    DEFINE_DRAW(glow_be, type, 1, TEXELS_GLOWING, 0) \
+    DEFINE_DRAW(mix, type, walk->map->swaps, walk->map->kind, 1)
 
 DEFINE_DRAWS(rgb565)
 DEFINE_DRAWS(palette256)
@@ -295,16 +374,16 @@ DEFINE_SUN(sun, palette16, 0)
 DEFINE_SUN(sun_be, palette16, 1)
 #endif
 
-#define DEFINE_TYPE(type, stored, has, reads)                                                    \
-    const glint_texture_type glint_texture_##type = {.bits = (stored),                           \
-                                                     .has_palette = (has),                       \
-                                                     .read = (reads),                            \
-                                                     .sample = sample_##type,                    \
-                                                     .draw = {draw_##type, draw_be_##type},      \
-                                                     .shade = {shade_##type, shade_be_##type},   \
-                                                     .glow = {glow_##type, glow_be_##type},      \
-                                                     SUN_SPANS(type).multiply = multiply_##type, \
-                                                     .stage = &glint_textures}
+#define DEFINE_TYPE(type, stored, has, reads)                                                                     \
+    const glint_texture_type glint_texture_##type = {                                                             \
+        .bits = (stored),                                                                                         \
+        .has_palette = (has),                                                                                     \
+        .read = (reads),                                                                                          \
+        .sample = sample_##type,                                                                                  \
+        .spans = {{draw_##type, draw_be_##type}, {shade_##type, shade_be_##type}, {glow_##type, glow_be_##type}}, \
+        .mixed = mix_##type,                                                                                      \
+        SUN_SPANS(type).multiply = multiply_##type,                                                               \
+        .stage = &glint_textures}
 
 DEFINE_TYPE(rgb565, 16, 0, rgb565_at);
 DEFINE_TYPE(palette256, 8, 1, grey8_at);

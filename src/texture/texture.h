@@ -58,7 +58,8 @@ typedef struct glint_texture_map {
     int8_t to_texels[2];      /* coordinates shifted right by this are texels, 2^-8 */
     uint8_t is_packed;        /* pixels are those of RGB565, */
     uint8_t swaps;            /* whose bytes are swapped, */
-    uint8_t is_quick;         /* and spans have functions of their own */
+    uint8_t is_quick;         /* and spans have functions of their own, */
+    uint8_t kind;             /* which show texels of this kind: TEXELS_UNLIT... */
     int32_t light[3];         /* that light, Q27 */
     glint_draw_span *visible; /* draws spans without holes */
 } glint_texture_map;

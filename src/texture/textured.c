@@ -62,7 +62,7 @@ static inline glint_texture_map *begun_map(const glint_row_walk *walk) {
         const uint32_t spans = config->format->sun_spans;
         glint_begin_map(walk, map);
         map->is_packed = spans && !config->gamma;
-        map->is_quick = map->is_packed && map->is_plain && !walk->is_deep && map->texture->type->shade[0];
+        map->is_quick = map->is_packed && !map->beyond[0] && !walk->is_deep && map->texture->type->mixed;
         map->swaps = spans == GLINT_SPANS_OF_RGB565_BE;
         map->is_begun = 1;
     }
@@ -139,7 +139,7 @@ static void multiply_words(const glint_row_walk *walk, int32_t row, uint32_t beg
 
 static glint_draw_span *choose_sun(const glint_row_walk *walk) {
     const glint_texture_map *map = begun_map(walk);
-    return map->is_quick ? map->texture->type->sun[map->swaps] : 0;
+    return map->is_quick && map->is_plain ? map->texture->type->sun[map->swaps] : 0;
 }
 
 /* ---- Light at corners, and surfaces of one colour ---- */
@@ -232,34 +232,39 @@ static void draw_divided_worn(glint_row_walk *walk, int32_t row, int32_t left, i
     draw_worn_span(walk, row, left, right, IS_DIVIDED);
 }
 
+/* Returns what draws spans of a kind where map->is_quick. */
+static glint_draw_span *quick_span(glint_texture_map *map, int kind) {
+    const glint_texture_type *type = map->texture->type;
+    map->kind = (uint8_t)kind;
+    return map->is_bilinear ? type->mixed : type->spans[kind][map->swaps];
+}
+
 /* Draws a span whose light is linear on the screen. */
 static void draw_shaded(glint_row_walk *walk, int32_t row, int32_t left, int32_t right) {
-    const glint_texture_map *map = walk->map;
-    (map->is_quick ? map->texture->type->shade[map->swaps] : draw_smooth_worn)(walk, row, left, right);
+    glint_texture_map *map = walk->map;
+    (map->is_quick ? quick_span(map, TEXELS_SHADED) : draw_smooth_worn)(walk, row, left, right);
 }
 
 /* Draws such a span with highlights. */
 static void draw_glowing(glint_row_walk *walk, int32_t row, int32_t left, int32_t right) {
-    const glint_texture_map *map = walk->map;
-    (map->is_quick ? map->texture->type->glow[map->swaps] : draw_glowing_worn)(walk, row, left, right);
+    glint_texture_map *map = walk->map;
+    (map->is_quick ? quick_span(map, TEXELS_GLOWING) : draw_glowing_worn)(walk, row, left, right);
 }
 
 /* Chooses what draws a triangle of even light. */
 static glint_draw_span *choose_even(glint_row_walk *walk) {
-    const glint_texture_map *map = walk->map;
-    const glint_texture_type *type = map->texture->type;
+    glint_texture_map *map = walk->map;
     const int32_t *light = map->light;
     int16_t worn[3];
     if (!map->is_quick || glint_most_of(light[0], light[1], light[2]) > GLINT_CHANNEL_ONE)
         return draw_even_worn;
-    glint_draw_span *const draw = type->draw[map->swaps], *const shade = type->shade[map->swaps];
     if (glint_least_of(light[0], light[1], light[2]) == GLINT_CHANNEL_ONE)
-        return draw;
+        return quick_span(map, TEXELS_UNLIT);
     for (int c = 0; c < 3; c++)
         worn[c] = (int16_t)(glint_shift_right(light[c], 13) + GLINT_WORN_MARGIN);
     walk->lanes[0] = glint_lanes_of(worn);
     walk->lanes[1] = walk->lanes[2] = (glint_lanes){0, 0};
-    return shade;
+    return quick_span(map, TEXELS_SHADED);
 }
 
 /* Draws the first span of a triangle. */

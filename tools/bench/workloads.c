@@ -231,6 +231,11 @@ static void textured_unlit(workload_stage *stage) {
     unlit_white(stage);
 }
 
+static void textured_bilinear(workload_stage *stage) {
+    textured_unlit(stage);
+    material_of(stage)->flags |= GLINT_MATERIAL_BILINEAR;
+}
+
 /* Each four vertices are the corners of a square that shows the texture so many times. */
 static void wear_squares(workload_stage *stage, glint_q16 times) {
     for (uint32_t i = 0; i < stage->mesh.vertex_count; i++) {
@@ -289,6 +294,11 @@ static void ground(workload_stage *stage) {
 static void ground_unlit(workload_stage *stage) {
     ground(stage);
     unlit_white(stage);
+}
+
+static void ground_bilinear(workload_stage *stage) {
+    ground_unlit(stage);
+    material_of(stage)->flags |= GLINT_MATERIAL_BILINEAR;
 }
 
 /* ---- Layers, fog and samples ---- */
@@ -367,6 +377,7 @@ static const struct {
     {"no highlight", no_highlight},
     {"textured", textured},
     {"textured unlit", textured_unlit},
+    {"textured unlit bilinear", textured_bilinear},
     {"opacity", opacity},
     {"added", added},
     {"opacity dithered", opacity_dithered},
@@ -389,6 +400,7 @@ static const struct {
     {"crate", "textured unlit", crate_unlit, &rgb565},
     {"floor", "textured", ground, &rgb565},
     {"floor", "textured unlit", ground_unlit, &rgb565},
+    {"floor", "textured unlit bilinear", ground_bilinear, &rgb565},
     {"torus576", "2x2 samples", samples, &rgb565_dithered},
 };
 
