@@ -35,7 +35,7 @@ static inline int is_small(const glint_row_walk *walk) {
 static inline void begin_one_light(const glint_row_walk *walk, glint_sun_triangle *t) {
     const glint_lit_sun *lit = t->lit;
     t->ramp = lit->sun->ramp;
-    t->gloss = lit->sun->gloss;
+    t->gloss = lit->gloss ? lit->sun->gloss : 0;
     t->shift = t->suns->shift;
     t->dark = t->suns->dark;
     t->z_dx = (uint32_t)walk->z.dx;
@@ -100,7 +100,9 @@ static inline glint_draw_span *choose_span(glint_row_walk *walk, glint_sun_trian
         walk->packed = glint_spread_pack(suns->dark);
         return walk->frame->config.format->flat_span;
     }
-    if (t->count != 1 || !(has_own ? is_plain_texture(walk, t) : suns->spans != 0))
+    /* In the loop of one light, the index of a sine below 0 is no entry's where N'.N' is a quarter or more. */
+    if (t->count != 1 || t->least < 2 * GLINT_LEAST_NORMAL + t->change / 2 ||
+        !(has_own ? is_plain_texture(walk, t) : suns->spans != 0))
         return glint_draw_sun_list;
     begin_one_light(walk, t);
     if (has_own) {

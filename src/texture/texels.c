@@ -243,18 +243,20 @@ static inline uint32_t multiply_word(uint32_t word, uint32_t texel) {
 }
 
 #if !GLINT_SMALL
-/* Returns the word of a texel's fragment, given N'.L, N'.N' and N'.H, as sun_lists.c finds it. */
-static inline uint32_t light_texel(const glint_sun_triangle *t, uint32_t texel, uint32_t light, uint32_t square,
-                                   uint32_t half) {
-    const uint32_t over = glint_over_normal(square), half_level = t->suns->half_level, dark = t->dark - half_level;
+/* Returns the word of a texel's fragment, given N'.L, N'.N' and N'.H, as sun_spans.c finds it: `dark` is without half a
+ * level. */
+static inline uint32_t light_texel(const glint_sun_triangle *t, uint32_t texel, uint32_t dark, uint32_t half_level,
+                                   uint32_t light, uint32_t square, uint32_t half) {
     if ((int32_t)light <= 0)
         return multiply_word(dark, texel) + half_level;
-    const uint32_t word =
-        multiply_word(glint_clamp_word(dark + t->ramp[(light >> 14) * over >> 20]), texel) + half_level;
-    if (!t->lit->gloss)
+    const uint32_t over = glint_over_normal(square),
+                   word =
+                       multiply_word(glint_clamp_word(dark + t->ramp[(light >> 14) * over >> 20]), texel) + half_level;
+    if (!t->gloss)
         return word;
     const int32_t h = glint_shift_right((int32_t)half, 12);
-    const uint32_t entry = glint_entry_of_sine(t->suns, square - (uint32_t)h * (uint32_t)h, over);
+    const uint32_t sine = square - (uint32_t)h * (uint32_t)h,
+                   entry = sine >= GLINT_SINE_WRAPPED ? 0 : ((sine >> 16) * over >> 14) * over >> t->shift;
     return entry < GLINT_GLOSS_ENTRIES ? glint_clamp_word(word + t->gloss[entry]) : word;
 }
 
@@ -269,7 +271,8 @@ static GLINT_SPECIAL void draw_sun_span(const glint_row_walk *walk, int32_t row,
     uint32_t z = glint_z_at(walk, row, left), light = t->lit->light.value + x * t->lit->light.x + y * t->lit->light.y;
     glint_stepped_quadratic square = glint_begin_quadratic(&t->normal, x, y), half = {0, 0};
     uint16_t *depth = walk->depth + ((uint32_t)row << walk->shift) + left;
-    if (t->lit->gloss)
+    const uint32_t half_level = t->suns->half_level, dark = t->dark - half_level;
+    if (t->gloss)
         half = glint_begin_quadratic(&t->lit->half, x, y);
     do {
         glint_find_coordinates(map, row, left);
@@ -283,7 +286,8 @@ static GLINT_SPECIAL void draw_sun_span(const glint_row_walk *walk, int32_t row,
             if (here > *depth) {
                 *depth = (uint16_t)here;
                 const uint32_t texel = at(texels, palette, glint_texel_number(map, u.value, v.value)),
-                               packed = glint_spread_pack(light_texel(t, texel, light, square.value, half.value));
+                               packed = glint_spread_pack(
+                                   light_texel(t, texel, dark, half_level, light, square.value, half.value));
                 *(uint16_t *)((uintptr_t)depth + t->from_depth) =
                     (uint16_t)(swaps ? glint_to_high_first(packed & 0xffff) : packed);
             }
