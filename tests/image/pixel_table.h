@@ -7,19 +7,19 @@
 #include <stdint.h>
 
 static const uint32_t pixel_table[] = {
-    0x886255feu, /* regions */
-    0x4bb98827u, /* regions */
-    0xf03f47adu, /* large regions */
-    0x1c638591u, /* large regions */
-    0x2c4730a3u, /* large regions */
+    0x260d0402u, /* regions */
+    0xa10157afu, /* regions */
+    0x8167f177u, /* large regions */
+    0x15080df1u, /* large regions */
+    0xd5f2545cu, /* large regions */
     0xa3df1e9au, /* varied regions */
     0xa2119039u, /* varied regions */
-    0xcc4233c1u, /* varied regions */
-    0xb7a17598u, /* varied regions */
-    0xbf714f97u, /* varied regions */
-    0xa82e25d9u, /* varied regions */
+    0xa854321bu, /* varied regions */
+    0x966307edu, /* varied regions */
+    0x47024abau, /* varied regions */
+    0x35797cccu, /* varied regions */
     0x83096668u, /* varied regions */
-    0x86ab7814u, /* varied regions */
+    0x1a7afe04u, /* varied regions */
     0x0204bf4fu, /* varied benchmark */
     0xcbbc743cu, /* varied benchmark */
     0x458fd4bdu, /* varied benchmark */
