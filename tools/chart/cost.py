@@ -13,7 +13,8 @@ SHADING = (("unlit", "unlit", ""), ("flat: lit once a triangle", "per facet", ""
            ("lit at fragments", "", ""))
 MATERIALS = (("Blinn-Phong, s = 32", "", ""), ("s = 8", "p 8", ""), ("s = 256", "p 256", ""), ("Phong", "phong", ""),
              ("the larger of ambient and lit", "max", ""), ("colours of vertices", "mesh colours", ""),
-             ("a texture of 64x64, RGB565", "textured", ""), ("the same, unlit", "textured unlit", ""))
+             ("a texture of 64x64, RGB565", "textured", ""), ("the same, unlit", "textured unlit", ""),
+             ("the same, unlit and bilinear", "textured unlit bilinear", ""))
 LAYERS = (("opaque, no fog, one sample a pixel", "", ""), ("opacity of one half", "opacity", ""), ("added to what is behind", "added", ""),
           ("opacity of one half, dithered", "opacity dithered", ""), ("linear fog", "fog", ""), ("squared fog", "fog squared", ""),
           ("2x2 samples", "2x2 samples", ""))

@@ -16,6 +16,7 @@ static const char *const cost_shown[][2] = {
     {"mesh colours", ""},
     {"textured", ""},
     {"textured unlit", ""},
+    {"textured unlit bilinear", ""},
     {"opacity", ""},
     {"added", ""},
     {"opacity dithered", ""},
