@@ -180,16 +180,29 @@ static glint_mesh many_sided;
 /* More triangles to a vertex than parts of an object have room for. */
 static void many_triangles_of_few_vertices(row *r, uint32_t i) {
     lambert(r, i);
-    r->objects[i].mesh = &many_sided;
-}
-
-static void triangles_of_few_vertices(void) {
     for (unsigned t = 0; t < TEST_COUNT(many_sides); t++)
         memcpy(many_sides[t], sides[t % 4], sizeof sides[0]);
     many_sided = pyramid;
     many_sided.triangles = (const uint16_t(*)[3])many_sides;
     many_sided.triangle_count = TEST_COUNT(many_sides);
+    r->objects[i].mesh = &many_sided;
+}
+
+static void triangles_of_few_vertices(void) {
     check_variant(2, many_triangles_of_few_vertices);
+}
+
+/* A part has twice as many triangles as vertices: with as many a user would wait for nearly twice as many passes. */
+static void few_vertices_cost_few_passes(void) {
+    picture image = open_picture();
+    picture_options options = small;
+    glint_stats stats;
+    row r;
+    build(&r, MATERIALS_MAX, many_triangles_of_few_vertices);
+    options.arena_size = picture_need(&image, &r.scene, &small).least;
+    CHECK_EQUAL(picture_render(&image, &r.scene, &options, &stats), GLINT_OK);
+    CHECK_AT_MOST(stats.passes, 50); /* 43; and 78 with as many */
+    picture_close(&image);
 }
 
 /* Pyramids in one place; each side is there twice. */
@@ -607,6 +620,7 @@ int test_main(test_writer write) {
         TEST_CASE(objects_of_all_evaluations),
         TEST_CASE(objects_behind_the_eye),
         TEST_CASE(triangles_of_few_vertices),
+        TEST_CASE(few_vertices_cost_few_passes),
         TEST_CASE(more_triangles_than_a_pass_numbers),
         TEST_CASE(arenas_of_any_content),
         TEST_CASE(pixels_apart),
