@@ -92,6 +92,37 @@ static void light_far_off_fades(void) {
     judge_viewers("point far off, attenuated as far as can be", &scene);
 }
 
+/* Ambient light of 14.4 on dark colours of a mesh, under a light that adds little: a user would see a dark surface in
+ * bright light too bright, or too dark. */
+static void bright_ambient_light_on_dark_colours(void) {
+    enum { COLOURED = 2048 };
+    static const glint_light_type *const types[2] = {&glint_light_directional, &glint_light_point};
+    static uint8_t colours[COLOURED][3];
+    for (unsigned i = 0; i < COLOURED; i++) {
+        colours[i][0] = (uint8_t)(i % 16);
+        colours[i][1] = (uint8_t)(i / 2 % 15);
+        colours[i][2] = 12;
+    }
+    row_print_heading();
+    for (int i = 0; i < 2; i++) {
+        test_scene scene;
+        judgement total = {0};
+        build(&scene);
+        glint_mesh mesh = *scene.objects[0].mesh;
+        CHECK(mesh.vertex_count <= COLOURED);
+        mesh.colours = (const uint8_t(*)[3])colours;
+        scene.objects[0].mesh = &mesh;
+        scene.materials[0].ambient = grey(3.6);
+        scene.materials[0].specular = grey(0);
+        scene.scene.ambient = grey(4);
+        scene.lights[0].type = types[i];
+        scene.lights[0].position = (glint_vector){GLINT_ONE, GLINT_ONE, 0};
+        row_judge(&scene.scene, WIDTH, HEIGHT, &glint_format_rgb888, &total);
+        row_print(i ? "point in bright ambient light" : "sun in bright ambient light", &total);
+        row_check(&total, 1);
+    }
+}
+
 /* ---- Camera -------------------------------------------------------------------------------------------------- */
 
 static void fields_of_view(void) {
@@ -388,10 +419,15 @@ static void triangles_at_the_bounds(void) {
 
 int test_main(test_writer write) {
     static const test_case cases[] = {
-        TEST_CASE(lights_far_off),          TEST_CASE(light_far_off_fades),
-        TEST_CASE(fields_of_view),          TEST_CASE(widest_rays),
-        TEST_CASE(least_exponents),         TEST_CASE(largest_exponents),
-        TEST_CASE(triangle_around_the_eye), TEST_CASE(box_just_beyond_the_near_plane),
+        TEST_CASE(lights_far_off),
+        TEST_CASE(light_far_off_fades),
+        TEST_CASE(bright_ambient_light_on_dark_colours),
+        TEST_CASE(fields_of_view),
+        TEST_CASE(widest_rays),
+        TEST_CASE(least_exponents),
+        TEST_CASE(largest_exponents),
+        TEST_CASE(triangle_around_the_eye),
+        TEST_CASE(box_just_beyond_the_near_plane),
         TEST_CASE(triangles_at_the_bounds),
     };
     return test_run(write, cases, TEST_COUNT(cases));
