@@ -437,6 +437,29 @@ static void failed_transfers_are_sent_again(void) {
     }
 }
 
+/* Parts of tiles that a region cuts are waited for, too: else a user would see pixels of the tile after, as the buffer
+ * is drawn into while it is sent. */
+static void parts_of_tiles_are_waited_for(void) {
+    static glint_tile_signature signatures[TILES_MAX];
+    static const glint_rectangle region = {1, 1, WIDTH - 2, HEIGHT - 2};
+    glint_change_filter changes;
+    glint_renderer renderer;
+    panel p;
+    test_scene scene;
+    build(&scene, 0);
+    glint_config config = configure_panel(&p, &glint_format_rgb565, 32, 1);
+    CHECK_EQUAL(glint_change_filter_init(&changes, signatures, &config), GLINT_OK);
+    config.flush = glint_change_filter_flush(&changes);
+    CHECK_EQUAL(glint_init(&renderer, &config), GLINT_OK);
+    CHECK_EQUAL(glint_render_region(&renderer, &scene.scene, &region), GLINT_OK);
+    picture wanted = picture_open(WIDTH, HEIGHT, p.shown.format);
+    const picture_options options = {.region = region};
+    CHECK_EQUAL(picture_render(&wanted, &scene.scene, &options, NULL), GLINT_OK);
+    CHECK(memcmp(wanted.bytes, p.shown.bytes, wanted.size) == 0);
+    picture_close(&wanted);
+    picture_close(&p.shown);
+}
+
 /* A filter that was refused has no flush to draw with. */
 static void expect_refused(glint_tile_signature *signatures, const glint_config *config, glint_status expected) {
     glint_change_filter changes;
@@ -473,6 +496,7 @@ int test_main(test_writer write) {
         TEST_CASE(overlays_are_sent),
         TEST_CASE(only_what_changed_is_sent),
         TEST_CASE(failed_transfers_are_sent_again),
+        TEST_CASE(parts_of_tiles_are_waited_for),
         TEST_CASE(bad_arguments_are_refused),
     };
     return test_run(write, cases, TEST_COUNT(cases));
