@@ -486,6 +486,39 @@ static void extremes_are_drawn(void) {
         }
 }
 
+/* A triangle of some 20 pixels whose corners are up to 8 times as far as each other, over a few large texels. */
+static void make_steep(worn *w, uint32_t number) {
+    const double focal = HEIGHT / 2.0 / tan(PI / 8);
+    begin(w);
+    w->mesh.vertex_count = 3;
+    w->mesh.extent = (glint_vector){GLINT_ONE / 2, GLINT_ONE / 2, 8 * GLINT_ONE};
+    w->object.pose.m[2][3] = -9 * GLINT_ONE;
+    for (uint32_t i = 0; i < 3; i++) {
+        const uint32_t random = hash(3 * number + i), other = hash(random);
+        const double depth = 1 + number % 8 * 0.14 + (i == number % 3 ? 0 : (random & 127) / 20.0);
+        const double x = 10 * cos(2 * PI * i / 3) + (random >> 7 & 3), y = 10 * sin(2 * PI * i / 3);
+        set_triple(w->positions[i], 2 * x * depth / focal, 2 * y * depth / focal, (9 - depth) / 8);
+        set_triple(w->normals[i], 0, 0, 1);
+        w->coordinates[i][0] = (int16_t)(other & 0x7fff);
+        w->coordinates[i][1] = (int16_t)(hash(other) & 0x7fff);
+    }
+    add_triangle(w, 0, 1, 2);
+    w->mesh.flags = GLINT_MESH_DOUBLE_SIDED;
+    w->texture.texels = colours;
+    w->texture.width = (uint16_t)(1u << number % 3);
+    w->texture.height = (uint16_t)(1u << number / 3 % 3);
+    w->scene.camera = (glint_camera){glint_pose_identity(), 45 * GLINT_ONE, GLINT_ONE / 2};
+}
+
+/* Texels of small triangles are where their depth has them, however steep that is. */
+static void small_triangles_may_be_steep(void) {
+    static worn w;
+    for (uint32_t number = 0; number < 400; number++) {
+        make_steep(&w, number);
+        check_contract(&w, &glint_format_rgb565);
+    }
+}
+
 /* ---- Light ------------------------------------------------------------------------------------------------------- */
 
 static uint8_t tints[VERTICES_MAX][3];
@@ -895,6 +928,7 @@ int test_main(test_writer write) {
         TEST_CASE(types_show_the_same),
         TEST_CASE(offsets_repeat),
         TEST_CASE(extremes_are_drawn),
+        TEST_CASE(small_triangles_may_be_steep),
         TEST_CASE(what_is_no_texture_is_refused),
         TEST_CASE(light_is_multiplied),
         TEST_CASE(edges_are_clamped_and_texels_mixed),
