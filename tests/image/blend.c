@@ -509,6 +509,20 @@ static void fog_reaches_from_start_to_end(void) {
     end_count();
 }
 
+/* A plane that faces parallel rays, and nothing else: all that is seen is as far, and as deep in the fog. */
+static void fog_of_one_distance(void) {
+    begin_count();
+    for (int i = 0; i < FORMAT_COUNT; i++) {
+        stage *const s = make_stage(0);
+        s->scene.object_count = 1;
+        set_fog(s, 8 + i % 2, every_format[i]);
+        s->objects[FLOOR].pose = glint_pose_translate(0, 0, -(3 + i % 3) * GLINT_ONE);
+        s->scene.camera.pose = glint_pose_identity();
+        check_contract(s, every_format[i]);
+    }
+    end_count();
+}
+
 /* Fog that begins behind all is none; and fog to a plain background is fog of its colour. */
 static void fog_beyond_and_of_the_background(void) {
     long changed = 0;
@@ -789,6 +803,7 @@ int test_main(test_writer write) {
         TEST_CASE(ends_of_opacity_are_exact),
         TEST_CASE(fog_is_that_of_double_precision),
         TEST_CASE(fog_reaches_from_start_to_end),
+        TEST_CASE(fog_of_one_distance),
         TEST_CASE(fog_beyond_and_of_the_background),
         TEST_CASE(tiles_arenas_and_regions_change_nothing),
         TEST_CASE(lines_are_drawn_over_layers),
