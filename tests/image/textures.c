@@ -546,6 +546,17 @@ static void light_is_multiplied(void) {
     }
 }
 
+/* Paint without light that takes from one channel alone: a user would see texels as they are. */
+static void each_channel_of_paint_is_multiplied(void) {
+    static worn w;
+    for (int i = 0; i < 6; i++) {
+        const glint_colour paints[3] = {GLINT_COLOUR(0.4, 1, 1), GLINT_COLOUR(1, 0.4, 1), GLINT_COLOUR(1, 1, 0.4)};
+        make_torus(&w, i);
+        w.material.diffuse = paints[i % 3];
+        check_contract(&w, i < 3 ? &glint_format_rgb565 : &glint_format_rgb888);
+    }
+}
+
 /* ---- Edges and mixtures ---------------------------------------------------------------------------------------- */
 
 /* Of a texture so small that texels are large: clamped, mixed, and both, in its middle and beyond. */
@@ -931,6 +942,7 @@ int test_main(test_writer write) {
         TEST_CASE(small_triangles_may_be_steep),
         TEST_CASE(what_is_no_texture_is_refused),
         TEST_CASE(light_is_multiplied),
+        TEST_CASE(each_channel_of_paint_is_multiplied),
         TEST_CASE(edges_are_clamped_and_texels_mixed),
         TEST_CASE(clamping_holds_to_the_extremes),
         TEST_CASE(holes_show_what_is_behind),
