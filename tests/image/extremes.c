@@ -92,6 +92,31 @@ static void light_far_off_fades(void) {
     judge_viewers("point far off, attenuated as far as can be", &scene);
 }
 
+/* Spots at the far corners of boxes that a shear draws out to needles: a user would see their ends dark. */
+static void cones_reach_the_ends_of_sheared_boxes(void) {
+    row_print_heading();
+    for (int i = 0; i < 4; i++) {
+        const glint_q16 lean_y = i % 2 ? GLINT_Q16(0.9) : GLINT_Q16(-0.9),
+                        lean_z = i / 2 ? GLINT_Q16(0.9) : GLINT_Q16(-0.9), thin = GLINT_Q16(0.3);
+        int16_t positions[24][3], normals[24][3];
+        uint16_t triangles[12][3];
+        const glint_mesh_room room = {positions, normals, triangles, 24, 12};
+        glint_mesh box;
+        test_scene scene;
+        build(&scene);
+        CHECK_EQUAL(glint_generate_box(&box, &room, GLINT_ONE, GLINT_ONE, GLINT_ONE), GLINT_OK);
+        scene.objects[0].mesh = &box;
+        scene.objects[0].pose =
+            (glint_pose){{{GLINT_ONE, lean_y, lean_z, 0}, {0, thin, 0, 0}, {0, 0, thin, -8 * GLINT_ONE}}};
+        scene.lights[0].type = &glint_light_spot;
+        scene.lights[0].position = (glint_vector){GLINT_Q16(2.8), 0, -3 * GLINT_ONE};
+        scene.lights[0].direction = (glint_vector){0, 0, -GLINT_ONE};
+        scene.lights[0].inner = 5 * GLINT_ONE;
+        scene.lights[0].outer = 10 * GLINT_ONE;
+        judge_viewers("a spot at the end of a sheared box", &scene);
+    }
+}
+
 /* Ambient light of 14.4 on dark colours of a mesh, under a light that adds little: a user would see a dark surface in
  * bright light too bright, or too dark. */
 static void bright_ambient_light_on_dark_colours(void) {
@@ -421,6 +446,7 @@ int test_main(test_writer write) {
     static const test_case cases[] = {
         TEST_CASE(lights_far_off),
         TEST_CASE(light_far_off_fades),
+        TEST_CASE(cones_reach_the_ends_of_sheared_boxes),
         TEST_CASE(bright_ambient_light_on_dark_colours),
         TEST_CASE(fields_of_view),
         TEST_CASE(widest_rays),
