@@ -229,6 +229,42 @@ static void reversed_winding(void) {
 
 /* ---- Off the screen, beyond the guard band, through the near plane ------------------------------------------- */
 
+/* Whether pixels of the screen have their centres from a place to before another, in sixteenths. */
+static int has_centres(int from, int to) {
+    int centres = 0;
+    for (int pixel = 0; pixel < SIZE; pixel++)
+        centres += 16 * pixel + 8 >= from && 16 * pixel + 8 < to;
+    return centres > 0;
+}
+
+/* Triangles at each sixteenth around the edges of the screen are counted as outside exactly where no centre of a pixel
+ * is as far across or down: a user who asks why a picture is empty would be told another reason. */
+static void triangles_outside_are_counted(void) {
+    enum { SIDE = 60, MIDDLE = 300, AROUND = 80 };
+    static const int corners[3][2] = {{0, 0}, {0, SIDE}, {SIDE, SIDE}};
+    picture image = picture_open(SIZE, SIZE, &glint_format_grey8);
+    long outside = 0, all = 0;
+    for (int edge = 0; edge < 4; edge++)
+        for (int at = edge % 2 * 16 * SIZE - AROUND; at < edge % 2 * 16 * SIZE + AROUND; at++)
+            for (int first = 0; first < 3; first++) {
+                const int left = edge < 2 ? at : MIDDLE, top = edge < 2 ? MIDDLE : at;
+                static patch p;
+                glint_stats stats;
+                patch_begin(&p);
+                for (int i = 0; i < 3; i++) {
+                    const int *const corner = corners[(i + first) % 3];
+                    patch_vertex(&p, left + corner[0], top + corner[1]);
+                }
+                patch_triangle(&p, 0, 1, 2);
+                CHECK_EQUAL(picture_render(&image, &p.scene, NULL, &stats), GLINT_OK);
+                CHECK_EQUAL(stats.outside, !has_centres(left, left + SIDE) || !has_centres(top, top + SIDE));
+                outside += stats.outside;
+                all++;
+            }
+    CHECK(outside > all / 4 && outside < all / 2);
+    picture_close(&image);
+}
+
 /* Whether all eight neighbours of a pixel and itself are covered by the reference. */
 static int deep_inside(const reference_pixel *pixels, int pixel) {
     int x = pixel % SIZE;
@@ -466,6 +502,7 @@ int test_main(test_writer write) {
         TEST_CASE(sides_just_beside_centres),
         TEST_CASE(reversed_winding),
 
+        TEST_CASE(triangles_outside_are_counted),
         TEST_CASE(clipped_at_the_near_plane),
         TEST_CASE(clipped_at_the_guard_band),
         TEST_CASE(clustered_meshes_have_no_holes),
