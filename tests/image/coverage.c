@@ -325,6 +325,28 @@ static void clipped_at_the_guard_band(void) {
     }
 }
 
+/* The edges of a triangle cut off three corners of the guard band, and the near plane the fourth: eight corners are
+ * left, the most that there can be. The triangle fills the screen. A ninth would lie in memory of something else. */
+static void clipped_to_eight_corners(void) {
+    /* in pixels over the focal length of 32, and in near planes */
+    static const double places[3][3] = {{0, 1700, 3.125}, {-1700, 0, 3.125}, {2500, -2500, 0}};
+    static patch p;
+    patch_begin(&p);
+    p.mesh.vertex_count = 3;
+    p.mesh.flags = GLINT_MESH_DOUBLE_SIDED;
+    p.mesh.extent = (glint_vector){16 * GLINT_ONE, 16 * GLINT_ONE, GLINT_ONE / 4};
+    p.object.pose = glint_pose_identity();
+    for (int i = 0; i < 3; i++) {
+        const double w = places[i][2] / 16, scale = 32767 / 16.0 / 32 * (w > 0 ? w : 1.0 / 16);
+        p.positions[i][0] = (int16_t)lrint(places[i][0] * scale);
+        p.positions[i][1] = (int16_t)lrint(places[i][1] * scale);
+        p.positions[i][2] = (int16_t)lrint(-w * 4 * 32767);
+        p.normals[i][2] = 32767;
+    }
+    patch_triangle(&p, 0, 1, 2);
+    CHECK_EQUAL(check_clipped(&p.scene), SIZE * SIZE);
+}
+
 /* ---- Clustered meshes -------------------------------------------------------------------------------------------- */
 
 /*
@@ -505,6 +527,7 @@ int test_main(test_writer write) {
         TEST_CASE(triangles_outside_are_counted),
         TEST_CASE(clipped_at_the_near_plane),
         TEST_CASE(clipped_at_the_guard_band),
+        TEST_CASE(clipped_to_eight_corners),
         TEST_CASE(clustered_meshes_have_no_holes),
         TEST_CASE(hidden_in_the_gallery),
         TEST_CASE(hidden_in_random_scenes),
