@@ -189,9 +189,10 @@ static GLINT_INLINE void draw_texel_run(const glint_row_walk *walk, uint16_t *de
                 colour = light_levels(&levels, l, kind, MIXED_BITS);
             } else {
                 colour = at(texels, palette, glint_texel_number(map, u.value, v.value));
-                const texel_levels levels = levels_of_texel(colour);
-                if (kind != TEXELS_UNLIT)
+                if (kind != TEXELS_UNLIT) {
+                    const texel_levels levels = levels_of_texel(colour);
                     colour = light_levels(&levels, l, kind, 0);
+                }
             }
             *depth = (uint16_t)here;
             *(uint16_t *)((uintptr_t)depth + from_depth) = (uint16_t)(swaps ? glint_to_high_first(colour) : colour);
@@ -211,8 +212,8 @@ static GLINT_INLINE void draw_texel_run(const glint_row_walk *walk, uint16_t *de
 }
 
 /* Draws a span. */
-static GLINT_SPECIAL void draw_texel_span(const glint_row_walk *walk, int32_t row, int32_t left, int32_t right,
-                                          glint_read_texel *at, int swaps, int kind, int is_mixed) {
+static GLINT_INLINE void draw_any_span(const glint_row_walk *walk, int32_t row, int32_t left, int32_t right,
+                                       glint_read_texel *at, int swaps, int kind, int is_mixed) {
     glint_texture_map *const map = walk->map;
     uint16_t *depth = walk->depth + ((uint32_t)row << walk->shift) + left;
     span_light l = {{0, 0}, {0, 0}};
@@ -232,6 +233,18 @@ static GLINT_SPECIAL void draw_texel_span(const glint_row_walk *walk, int32_t ro
             draw_texel_run(walk, depth, end, z, &l, at, swaps, kind, 1, is_mixed);
         depth = end;
     } while (left < right);
+}
+
+/* Draws a span of nearest texels. */
+static GLINT_SPECIAL void draw_texel_span(const glint_row_walk *walk, int32_t row, int32_t left, int32_t right,
+                                          glint_read_texel *at, int swaps, int kind) {
+    draw_any_span(walk, row, left, right, at, swaps, kind, 0);
+}
+
+/* Draws a span between texels. Its pixels take so long that one function draws all kinds. */
+static GLINT_SPECIAL void draw_mixed_span(const glint_row_walk *walk, int32_t row, int32_t left, int32_t right,
+                                          glint_read_texel *at) {
+    draw_any_span(walk, row, left, right, at, walk->map->swaps, walk->map->kind, 1);
 }
 
 /* Multiplies a word by a texel. */
@@ -344,19 +357,20 @@ DEFINE_MULTIPLY(rgb565)
 DEFINE_MULTIPLY(palette256)
 DEFINE_MULTIPLY(palette16)
 
-#define DEFINE_DRAW(name, type, swaps, kind, is_mixed)                                                    \
+#define DEFINE_DRAW(name, type, swaps, kind)                                                              \
     static GLINT_HOT void name##_##type(glint_row_walk *walk, int32_t row, int32_t left, int32_t right) { \
-        draw_texel_span(walk, row, left, right, type##_at, swaps, kind, is_mixed);                        \
+        draw_texel_span(walk, row, left, right, type##_at, swaps, kind);                                  \
     }
-/* Between texels pixels take so long that one function draws them all. */
-#define DEFINE_DRAWS(type)                           \
-    DEFINE_DRAW(draw, type, 0, TEXELS_UNLIT, 0)      \
-    DEFINE_DRAW(draw_be, type, 1, TEXELS_UNLIT, 0)   \
-    DEFINE_DRAW(shade, type, 0, TEXELS_SHADED, 0)    \
-    DEFINE_DRAW(shade_be, type, 1, TEXELS_SHADED, 0) \
-    DEFINE_DRAW(glow, type, 0, TEXELS_GLOWING, 0)    \
-    DEFINE_DRAW(glow_be, type, 1, TEXELS_GLOWING, 0) \
-    DEFINE_DRAW(mix, type, walk->map->swaps, walk->map->kind, 1)
+#define DEFINE_DRAWS(type)                                                                             \
+    DEFINE_DRAW(draw, type, 0, TEXELS_UNLIT)                                                           \
+    DEFINE_DRAW(draw_be, type, 1, TEXELS_UNLIT)                                                        \
+    DEFINE_DRAW(shade, type, 0, TEXELS_SHADED)                                                         \
+    DEFINE_DRAW(shade_be, type, 1, TEXELS_SHADED)                                                      \
+    DEFINE_DRAW(glow, type, 0, TEXELS_GLOWING)                                                         \
+    DEFINE_DRAW(glow_be, type, 1, TEXELS_GLOWING)                                                      \
+    static GLINT_HOT void mix_##type(glint_row_walk *walk, int32_t row, int32_t left, int32_t right) { \
+        draw_mixed_span(walk, row, left, right, type##_at);                                            \
+    }
 
 DEFINE_DRAWS(rgb565)
 DEFINE_DRAWS(palette256)

@@ -62,7 +62,9 @@ static inline glint_texture_map *begun_map(const glint_row_walk *walk) {
         const uint32_t spans = config->format->sun_spans;
         glint_begin_map(walk, map);
         map->is_packed = spans && !config->gamma;
-        map->is_quick = map->is_packed && !map->beyond[0] && !walk->is_deep && map->texture->type->mixed;
+        const glint_texture_type *type = map->texture->type;
+        map->is_quick =
+            map->is_packed && !map->beyond[0] && !walk->is_deep && (map->is_bilinear ? type->mixed : type->spans[0][0]);
         map->swaps = spans == GLINT_SPANS_OF_RGB565_BE;
         map->is_begun = 1;
     }
