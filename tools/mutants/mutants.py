@@ -156,7 +156,9 @@ class Judge:
         self.objects = collections.defaultdict(set)
         for path in glob.glob(self.variant + "/**/*.d", recursive=True):
             with open(path, encoding="utf-8") as file:
-                for name in file.read().split(":", 1)[1].replace("\\\n", " ").split("\n")[0].split():
+                names = file.read().split(":", 1)[1].replace("\\\n", " ").split("\n")[0].split()
+            if os.path.exists(names[0]):  # Of a source that is gone the folder still has the object, which nothing makes.
+                for name in names:
                     self.objects[os.path.normpath(name)].add(path[:-len("d")] + "o")
 
     def limit(self, program):
