@@ -181,9 +181,11 @@ static void set_far(glint_suns *suns, uint32_t end) {
 /*
  * Where a highlight is steepest, it changes by 63 weight (0.61 sqrt(p) + 2.5 / p) levels a radian. If the angle of H
  * changes by d over a triangle, an H that is linear between corners is off by up to 0.16 d^2, which may be 0.3 of a
- * level. V is off by half of that, and in triangles with planes by an eighth.
+ * level. V is off by half of that, and in triangles with planes by an eighth. In wide views V turns unevenly, and H is
+ * off by more: the limit goes down with z of V in a corner of the screen, from 11/16 on.
  */
 #define BEND_LIMIT (60u << 23)
+#define NARROW_Z (11 << 11)
 
 /* Scalars are precise enough for highlights up to these exponents, times weights above 1: of Phong, of channels of 8
  * bits, and of all others. */
@@ -219,7 +221,8 @@ void glint_ramps_prepare(glint_suns *suns, const glint_shading *shading) {
     if ((uint64_t)shading->shininess * (largest > 1u << 12 ? largest : 1u << 12) >> 12 > (uint32_t)most)
         return; /* `bend` of 0 leaves all triangles with a visible highlight to lamps */
     const uint64_t steep = (uint64_t)largest * slope * (suns->bits > 6 ? 150 : 63) + 1, /* Q20 */
-        bend = ((uint64_t)BEND_LIMIT << (20 + suns->is_mirror)) / steep;
+        limit = (uint64_t)(BEND_LIMIT / NARROW_Z) * least((uint32_t)suns->ray_z, NARROW_Z),
+                   bend = (limit << (20 + suns->is_mirror)) / steep;
     suns->bend = bend < 1u << 28 ? (uint32_t)bend : 1u << 28;
     suns->small_bend = (int32_t)(suns->bend >> (suns->is_mirror ? 3 : 2)) + (1 << 15); /* rounding costs up to 2^15 */
 }
