@@ -314,23 +314,44 @@ static inline int is_steep_plane(const glint_plane *p) {
     return p->dx > most || p->dx < -most || p->dy > most || p->dy < -most;
 }
 
+/* Highlights of this exponent and above are so narrow that nodes of cells may miss them. */
+#define CELLS_EXPONENT (60 * GLINT_ONE)
+
+/* Returns whether the normals of a triangle's corners are about 37 degrees apart, or more: then the square of their
+ * sum is below 8.2. */
+static int turns_fast(const glint_row_walk *walk) {
+    const glint_vertex *const *v = walk->triangle.corners;
+    uint32_t square = 0;
+    for (int c = 0; c < 3; c++) {
+        const int32_t sum = glint_shift_right(v[0]->attribute[c] + v[1]->attribute[c] + v[2]->attribute[c], 2);
+        square += (uint32_t)(sum * sum); /* Q26 */
+    }
+    return square < (41u << 26) / 5;
+}
+
+/* Returns whether a highlight may lie between nodes, none of which sees it: a narrow one, one where normals turn fast,
+ * or one that shines through a surface, as half vectors turn fast where the light is straight behind it. */
+static int may_miss_highlights(const glint_row_walk *walk) {
+    const glint_lamps *lamps = walk->workspace->lamps;
+    return lamps->has_gloss && (lamps->gate || lamps->shading->power.exponent >= CELLS_EXPONENT || turns_fast(walk));
+}
+
 /*
  * Returns whether light may be interpolated between nodes of cells: the triangle is large, its planes keep within 32
- * bits as far outside of it as nodes lie, and no highlight is so narrow that nodes miss it.
+ * bits as far outside of it as nodes lie, and nodes miss no highlight.
  */
 static int may_have_cells(const glint_row_walk *walk) {
     const glint_vertex *const *v = walk->triangle.corners;
     const glint_lamps *lamps = walk->workspace->lamps;
-    const glint_power_table *power = &lamps->shading->power;
     const glint_format *format = walk->frame->config.format;
     if (walk->is_deep || (walk->draw->texture && (lamps->takes_most || lamps->headroom)) || walk->frame->config.gamma ||
-        (format->is_dithered && glint_green_bits(format) > 6) || /* nodes have no room for their thresholds */
-        (lamps->has_gloss && !power->direct && power->exponent >= NARROW_EXPONENT / 2))
+        (format->is_dithered && glint_green_bits(format) > 6)) /* nodes have no room for their thresholds */
         return 0;
     if (is_steep_plane(&walk->channel[0]) || is_steep_plane(&walk->channel[1]) || is_steep_plane(&walk->channel[2]) ||
         is_steep_plane(&walk->z) || (walk->list->room && is_steep_plane(&walk->w)))
         return 0;
-    return glint_magnitude_bits(glint_double_area(v[0], v[1], v[2])) >= 512 * GLINT_CELLS_LEAST;
+    return glint_magnitude_bits(glint_double_area(v[0], v[1], v[2])) >= 512 * GLINT_CELLS_LEAST &&
+           !may_miss_highlights(walk);
 }
 
 GLINT_NOINLINE void glint_begin_lamp_list(glint_row_walk *walk) {
