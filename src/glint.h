@@ -265,7 +265,8 @@ typedef struct glint_light_type glint_light_type;
 extern const glint_light_type glint_light_directional;
 
 /** Light goes from a position to all sides, and weakens with its distance d: 1 / (1 + linear d + quadratic d^2). It
- * adds nothing at d = 0, that is, nearer than about 1/32768 of the distance to the eye. */
+ * adds nothing at d = 0, that is, nearer than about 1/32768 of the distance to the eye; nearer than 1/128 of that, N.L
+ * may be off by more than half a step of 255. */
 extern const glint_light_type glint_light_point;
 
 /**

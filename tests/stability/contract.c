@@ -169,18 +169,20 @@ static int is_narrow(const views *all, uint32_t light, const double *towards) {
     return cosine <= inner + GATE && cosine >= outer - GATE;
 }
 
-/* Is a light so near that snapping moves N.L by more than the bound leaves? (contract.h, "next to it") */
+/* Is a light so near that snapping, or 1/w of vertices, moves N.L by more than the bound leaves? (contract.h, "next to
+ * it") */
 static int is_next_to(const views *all, uint32_t light, const double place[3]) {
     const double half_angle = reference_real(all->scene->camera.field_of_view) * 3.14159265358979323846 / 360;
     const double tall = all->scene->camera.projection ? reference_real(all->scene->camera.view_height)
                                                       : -2 * place[2] * tan(half_angle);
-    const double left = 4 * weights_slack(0, all->shaded.format),
-                 pixels = picture_level_max(all->shaded.format, 1) / (16 * left);
+    const double left = weights_slack(0, all->shaded.format) / picture_level_max(all->shaded.format, 1),
+                 snapped = tall / all->height / 16 / (4 * left),
+                 deep = all->scene->camera.projection ? 0 : -place[2] / 65536 / left;
     double way[3];
     if (all->scene->lights[light].type == &glint_light_directional)
         return 0;
     reference_find_way(&all->scene->lights[light], &all->lights, light, place, way);
-    return sqrt(reference_dot(way, way)) < pixels * tall / all->height;
+    return sqrt(reference_dot(way, way)) < fmax(snapped, deep);
 }
 
 /* By which rule does the last bit of a light's direction decide? */

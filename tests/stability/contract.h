@@ -20,7 +20,8 @@
  * gated);
  * - next to it: a light so near that a sixteenth of a pixel, to which vertices are snapped, changes N.L by four times
  * what the bound leaves beside rounding: by two levels of 255 in 8 bits a channel, within 8 pixels, and by one of 63 in
- * RGB565, within 4;
+ * RGB565, within 4; or so near that 2^-16 of the depth, to which 1/w of vertices is exact, changes N.L by what the
+ * bound leaves: within 1/128 of the depth in 8 bits a channel, and within 1/260 in RGB565 (glint.h says so);
  * - short: a sum of unit vectors nearly cancels. An interpolated normal, or L + V of a light with Blinn's highlight, is
  *   shorter than a quarter, so that its direction is known to fewer than 13 bits. An object that is lit per vertex or
  *   facet is left out whole where L + V of one of its vertices is.
