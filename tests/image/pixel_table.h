@@ -7,31 +7,31 @@
 #include <stdint.h>
 
 static const uint32_t pixel_table[] = {
-    0x260d0402u, /* regions */
-    0xa10157afu, /* regions */
-    0x8167f177u, /* large regions */
-    0x15080df1u, /* large regions */
-    0xd5f2545cu, /* large regions */
-    0xa3df1e9au, /* varied regions */
-    0xa2119039u, /* varied regions */
-    0xa854321bu, /* varied regions */
-    0x966307edu, /* varied regions */
-    0x47024abau, /* varied regions */
-    0x35797cccu, /* varied regions */
-    0x83096668u, /* varied regions */
-    0x1a7afe04u, /* varied regions */
-    0x0204bf4fu, /* varied benchmark */
-    0xcbbc743cu, /* varied benchmark */
-    0x458fd4bdu, /* varied benchmark */
-    0x51ee5b26u, /* varied benchmark */
-    0xb6762c02u, /* varied benchmark */
-    0x7a3baf11u, /* varied benchmark */
-    0x765c7ea9u, /* random surfaces */
+    0x8a090863u, /* regions */
+    0xcdb25d13u, /* regions */
+    0x919f890au, /* large regions */
+    0x38992e48u, /* large regions */
+    0xb0ee08a3u, /* large regions */
+    0xde33df25u, /* varied regions */
+    0x73726bfbu, /* varied regions */
+    0x7e73bb58u, /* varied regions */
+    0x02dd222bu, /* varied regions */
+    0xb9bda7eau, /* varied regions */
+    0x5ef454cbu, /* varied regions */
+    0x0b44dc16u, /* varied regions */
+    0xb817055eu, /* varied regions */
+    0xa802b12fu, /* varied benchmark */
+    0xae10fbd0u, /* varied benchmark */
+    0xf0a3a58fu, /* varied benchmark */
+    0xafad73e6u, /* varied benchmark */
+    0x9750e675u, /* varied benchmark */
+    0xbb7c39d5u, /* varied benchmark */
+    0x0375fbbcu, /* random surfaces */
     0x8b2d1d9du, /* random surfaces */
     0x7a27560au, /* random surfaces */
     0x5c8d425au, /* random surfaces */
-    0x380cd212u, /* random surfaces */
-    0x08219756u, /* random surfaces */
+    0x7503bcfcu, /* random surfaces */
+    0x6d61d10eu, /* random surfaces */
     0x013d797au, /* gallery */
     0x7271939eu, /* gallery */
     0x89a64ae2u, /* gallery */
