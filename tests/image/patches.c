@@ -296,7 +296,7 @@ static void judge_some(const shape *of, const uint32_t *numbers, uint32_t count,
     }
 }
 
-/* Highlights between nodes of cells are not lost: of 8,000 patches, these had lost the most while large triangles were
+/* Highlights between nodes of cells are not lost: of 10,000 patches, these had lost the most while large triangles were
  * drawn in cells where normals or half vectors turn fast. */
 static void highlights_between_nodes_keep_the_contract(void) {
     static const uint32_t numbers[] = {352, 575, 4861, 7112, 7783};
